@@ -34,12 +34,12 @@ fn best<T>(times: u32, mut job: impl FnMut() -> T) -> (f64, T) {
 /// Largest difference of force and radius at the instants that both keep, over their largest values.
 fn difference(trace: &Trace, truth: &Trace) -> f64 {
     let [_, force, radius, _] = truth.summary.scales;
-    let apart = |(&one, &other): (&usize, &usize)| {
+    let difference = |(&one, &other): (&usize, &usize)| {
         let (one, other) = (trace.path[one], truth.path[other]);
         ((one.force - other.force).abs() / force).max((one.contact_radius - other.contact_radius).abs() / radius)
     };
     assert_eq!(trace.kept.len(), truth.kept.len());
-    trace.kept.iter().zip(&truth.kept).map(apart).fold(0.0, f64::max)
+    trace.kept.iter().zip(&truth.kept).map(difference).fold(0.0, f64::max)
 }
 
 fn cycle(accuracy: f64) -> IndentationProblem {
@@ -80,7 +80,7 @@ fn main() {
     for tolerance in [1e-1, 1e-2, 1e-4, 1e-6] {
         let (time, trace) = best(3, || integrate(&rubber, &cycle(tolerance), tolerance).unwrap());
         println!(
-            "  one integration without bars at {tolerance:e}: {time:.2} ms, {} steps, {} balances; force and radius off by {:.1e} of the largest",
+            "  one integration without bounds at {tolerance:e}: {time:.2} ms, {} steps, {} balances; force and radius off by {:.1e} of the largest",
             trace.work.steps,
             trace.work.closure_evaluations,
             difference(&trace, &truth)

@@ -74,7 +74,7 @@ fn numbers(values: &PartialValues) -> Option<Numbers> {
     ])
 }
 
-/// From the start of the rivals, with error bars and a check of admissibility; the accuracy asked for is `TOLERANCE`.
+/// From the start of the rivals, with error bounds and a check of admissibility; the accuracy asked for is `TOLERANCE`.
 fn ours(state: &State) -> Option<Numbers> {
     let problem = SlidingProblem { accuracy: TOLERANCE, ..state.problem };
     let start = Start::at(state.start.half_width, state.start.eccentricity);

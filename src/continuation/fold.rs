@@ -39,7 +39,7 @@ impl Differences {
     }
 }
 
-/// Least residual asked for; one that does not fall any more below the second, or what rounding leaves up to the third, is rounding and widens the bars.
+/// Least residual asked for; one that does not fall any more below the second, or what rounding leaves up to the third, is rounding and widens the bounds.
 const TOLERANCE: (f64, f64, f64) = (1e-13, 1e-5, 1e-3);
 
 /// A turning point.
@@ -165,7 +165,7 @@ pub fn part_at<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, index: usize, value:
 
 /// The fold of a quantity near a start, to a `tolerance` of the three equations, with the gradients by `differences`.
 ///
-/// What the differences leave out is no part of the bars: [`shifted`] with wider ones shows it.
+/// What the differences leave out is no part of the bounds: [`shifted`] with wider ones shows it.
 ///
 /// # Errors
 /// [`Refusal::NotConverged`].

@@ -96,7 +96,7 @@ impl CreepingStrip {
     }
 }
 
-/// The elastic twin: energy per volume of an elastic strip under `stress`, width free, ½σ²/E* with E* of the plane state.
+/// The elastic counterpart: energy per volume of an elastic strip under `stress`, width free, ½σ²/E* with E* of the plane state.
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`] for a modulus that is not positive, a stress that is not finite, or a Poisson ratio outside −1 < ν ≤ 0.5.

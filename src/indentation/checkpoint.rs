@@ -6,19 +6,19 @@
 
 use super::by_panels::PanelsState;
 use super::current_segment::{Place, part, weight};
+use super::cycle_integrals::CycleIntegrals;
 use super::history::Controlled;
 use super::integrator::Integrator;
 use super::line::{Cell, Contact};
-use super::meter::Meter;
 use super::panel::POINTS;
-use super::past::Past;
+use super::path_history::PathHistory;
 use super::record::{Record, RecordState};
 use super::rim::Rim;
 use super::solution::{IndentationWork, Trace};
 use crate::refusal::Refusal;
 use serde::{Deserialize, Serialize};
 
-/// Told how far a run is, and given what it can go on from.
+/// Receives how far a run is, and what it can go on from.
 pub trait Watch: Sync {
     /// Integration `number` (from 1; each is tighter than the one before) has done a part (0…1) of its history.
     fn passed(&self, number: u32, part: f64);
@@ -58,7 +58,7 @@ pub(super) struct StepsState {
 pub(super) struct IntegrationState {
     contact: ContactState,
     edge: (Option<u32>, u64, u64),
-    past: Past,
+    path_history: PathHistory,
     origin: f64,
     time: f64,
     reach: f64,
@@ -66,11 +66,11 @@ pub(super) struct IntegrationState {
     corner: f64,
     first: f64,
     pace: Option<(Controlled, f64)>,
-    landmarks: Vec<(f64, u32)>,
+    kink_places: Vec<(f64, u32)>,
     turns: Vec<f64>,
     slopes: (f64, f64),
     smooth_in_time: bool,
-    meter: Option<Meter>,
+    cycle_integrals: Option<CycleIntegrals>,
     record: RecordState,
     pub(super) place: Place,
 }
@@ -133,7 +133,7 @@ impl Integrator<'_> {
             opening: _,
             contact,
             edge,
-            past,
+            path_history,
             origin,
             time,
             reach,
@@ -141,18 +141,18 @@ impl Integrator<'_> {
             corner,
             first,
             pace,
-            landmarks,
+            kink_places,
             turns,
             slopes,
             smooth_in_time,
-            meter,
+            cycle_integrals,
             record,
             place,
         } = self;
         IntegrationState {
             contact: ContactState::of(contact),
             edge: (edge.held, edge.evaluations, edge.updates),
-            past: past.clone(),
+            path_history: path_history.clone(),
             origin: *origin,
             time: *time,
             reach: *reach,
@@ -160,11 +160,11 @@ impl Integrator<'_> {
             corner: *corner,
             first: *first,
             pace: *pace,
-            landmarks: landmarks.clone(),
+            kink_places: kink_places.clone(),
             turns: turns.clone(),
             slopes: *slopes,
             smooth_in_time: *smooth_in_time,
-            meter: meter.clone(),
+            cycle_integrals: cycle_integrals.clone(),
             record: record.state(),
             place: *place,
         }
@@ -175,7 +175,7 @@ impl Integrator<'_> {
         let IntegrationState {
             contact,
             edge,
-            past,
+            path_history,
             origin,
             time,
             reach,
@@ -183,11 +183,11 @@ impl Integrator<'_> {
             corner,
             first,
             pace,
-            landmarks,
+            kink_places,
             turns,
             slopes,
             smooth_in_time,
-            meter,
+            cycle_integrals,
             record,
             place,
         } = state;
@@ -198,7 +198,8 @@ impl Integrator<'_> {
         self.contact = contact.restored(&self.contact)?;
         let (held, evaluations, updates) = edge;
         self.edge.restore(held, evaluations, updates);
-        (self.past, self.pace, self.landmarks, self.turns, self.slopes, self.meter) = (past, pace, landmarks, turns, slopes, meter);
+        (self.path_history, self.pace, self.kink_places, self.turns, self.slopes, self.cycle_integrals) =
+            (path_history, pace, kink_places, turns, slopes, cycle_integrals);
         (self.origin, self.time, self.reach, self.dt, self.corner, self.first) = (origin, time, reach, dt, corner, first);
         (self.place, self.smooth_in_time) = (place, smooth_in_time);
         Ok(())

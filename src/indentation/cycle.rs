@@ -1,6 +1,6 @@
 //! What one cycle of an oscillation turns out to be.
 
-use super::convergence::Heard;
+use super::convergence::Compared;
 use crate::estimate::Estimate;
 use serde::{Deserialize, Serialize};
 
@@ -44,13 +44,17 @@ pub struct Cycle<T> {
 }
 
 impl Cycle<f64> {
-    /// With errors by a function of the place of a quantity among eleven, the drift being the last, its value and those of all integrations that are heard.
-    pub(super) fn judged(&self, heard: Heard<&Self>, mut estimate: impl FnMut(usize, f64, Heard<f64>) -> Estimate) -> Cycle<Estimate> {
-        let drift_error = estimate(DRIFT, self.drift, heard.map(|cycle| cycle.map(|cycle| cycle.drift))).error;
+    /// With errors by a function of the place of a quantity among eleven, the drift being the last, its value and those of all integrations that are compared.
+    pub(super) fn assessed(
+        &self,
+        compared: Compared<&Self>,
+        mut estimate: impl FnMut(usize, f64, Compared<f64>) -> Estimate,
+    ) -> Cycle<Estimate> {
+        let drift_error = estimate(DRIFT, self.drift, compared.map(|cycle| cycle.map(|cycle| cycle.drift))).error;
         let mut place = 0;
         let mut one = |of: fn(&Self) -> f64| {
             place += 1;
-            estimate(place - 1, of(self), heard.map(|cycle| cycle.map(of)))
+            estimate(place - 1, of(self), compared.map(|cycle| cycle.map(of)))
         };
         Cycle {
             segment: self.segment,

@@ -2,11 +2,11 @@
 
 use super::checkpoint::{IntegrationState, Observer};
 use super::current_segment::{CurrentSegment, Place};
+use super::cycle_integrals::CycleIntegrals;
 use super::edge::{Edge, Imposed, node_of};
 use super::history::Controlled;
 use super::line::Contact;
-use super::meter::Meter;
-use super::past::Past;
+use super::path_history::PathHistory;
 use super::problem::{IndentationProblem, Start};
 use super::record::Record;
 use super::solution::{EventKind, Trace};
@@ -91,7 +91,7 @@ pub(super) struct Integrator<'a> {
     pub(super) tolerance: f64,
     pub(super) contact: Contact<'a>,
     pub(super) edge: Edge,
-    pub(super) past: Past,
+    pub(super) path_history: PathHistory,
     /// Start of the segment under way, and the time since: steps stay sharp after any dwell.
     pub(super) origin: f64,
     pub(super) time: f64,
@@ -109,14 +109,14 @@ pub(super) struct Integrator<'a> {
     pub(super) pace: Option<(Controlled, f64)>,
     /// F(t) has a corner when the edge has left the place of its last corner by one process zone, and a weaker one when it has left that by another: a step ends there.
     /// Place and generation.
-    pub(super) landmarks: Vec<(f64, u32)>,
+    pub(super) kink_places: Vec<(f64, u32)>,
     /// Where the edge turned, the latest last: the line has a kink there, and F(t) a corner when the edge comes back.
     pub(super) turns: Vec<f64>,
     pub(super) slopes: (f64, f64),
     /// Whether y(t) went on more smoothly than t(y) in the last step: time drives the next one then.
     pub(super) smooth_in_time: bool,
     /// What is added up over the cycle under way.
-    pub(super) meter: Option<Meter>,
+    pub(super) cycle_integrals: Option<CycleIntegrals>,
     pub(super) record: Record<'a>,
     pub(super) place: Place,
     pub(super) observer: Option<Observer<'a>>,
@@ -157,11 +157,11 @@ impl<'a> Integrator<'a> {
             springs,
             problem,
             tolerance,
-            meter: None,
+            cycle_integrals: None,
             record: Record::new(&contact, problem.energies),
             contact,
             edge,
-            past: Past::default(),
+            path_history: PathHistory::default(),
             origin: 0.0,
             time: 0.0,
             reach: 0.0,
@@ -171,7 +171,7 @@ impl<'a> Integrator<'a> {
             corner: 0.0,
             first: 0.0,
             pace: None,
-            landmarks: Vec::new(),
+            kink_places: Vec::new(),
             turns: Vec::new(),
             slopes: (0.0, 0.0),
             smooth_in_time: false,
@@ -277,9 +277,9 @@ impl<'a> Integrator<'a> {
         if !same {
             self.restart_at_corner();
         }
-        self.meter = segment.oscillation.map(|oscillation| {
+        self.cycle_integrals = segment.oscillation.map(|oscillation| {
             let longest = self.springs.longest_retardation_time();
-            Meter::new(index, (oscillation, segment.duration), self.origin, longest, self.record.trace.path.last())
+            CycleIntegrals::new(index, (oscillation, segment.duration), self.origin, longest, self.record.trace.path.last())
         });
         self.place = Place {
             segment: index,
@@ -309,8 +309,10 @@ impl<'a> Integrator<'a> {
                 self.place.cycle += 1;
                 // What one cycle leaves of its steps is not the next one's: an integration that stands still would go through all of it.
                 self.place.budget = self.record.trace.work.steps + self.most_steps();
-                let stationary =
-                    self.meter.as_mut().and_then(|meter| self.record.cycle(meter, self.origin + target, self.problem.accuracy));
+                let stationary = self
+                    .cycle_integrals
+                    .as_mut()
+                    .and_then(|cycle_integrals| self.record.cycle(cycle_integrals, self.origin + target, self.problem.accuracy));
                 if until_stationary && stop.is_none() && stationary == Some(true) {
                     self.place.duration = target;
                     self.record.trace.shortened.push((self.place.segment, target));
@@ -322,7 +324,7 @@ impl<'a> Integrator<'a> {
             }
         }
         let duration = self.place.duration;
-        self.record.last_cycle(self.meter.take());
+        self.record.last_cycle(self.cycle_integrals.take());
         self.pace = segment.oscillation.is_none().then_some((segment.controlled, current.rate()));
         self.origin += duration;
         self.time = 0.0;
@@ -369,10 +371,10 @@ impl<'a> Integrator<'a> {
             Controlled::ContactRadius => return self.prescribed_step(&value, cap, left, target),
         };
         let controlled = current.segment.controlled;
-        let apart = if self.contact.radius() == 0.0 { self.until_touch(controlled, cap, &value) } else { 0.0 };
-        if apart > 0.0 {
+        let free_time = if self.contact.radius() == 0.0 { self.until_touch(controlled, cap, &value) } else { 0.0 };
+        if free_time > 0.0 {
             // Time steps of an open contact may grow quickly: the surface relaxes exactly.
-            let cap = apart;
+            let cap = free_time;
             self.open(controlled, cap, value(cap))?;
             self.dt = 2.0 * cap;
             self.went(cap, left, target, 0.0);
@@ -389,10 +391,10 @@ impl<'a> Integrator<'a> {
         self.time = if dt >= left { target } else { self.time + dt };
         self.record.point(self.now(), &self.contact, residual);
         let node = node_of(self.contact.profile(), &self.contact, self.record.force());
-        self.past.push(node, dt);
+        self.path_history.push(node, dt);
         self.edge.forget();
-        if let (Some(meter), Some(point)) = (&mut self.meter, self.record.trace.path.last()) {
-            meter.step(point);
+        if let (Some(cycle_integrals), Some(point)) = (&mut self.cycle_integrals, self.record.trace.path.last()) {
+            cycle_integrals.step(point);
         }
     }
 

@@ -8,8 +8,8 @@
 
 use super::corners::PLACE_NOISE;
 use super::motion::{Motion, Passage, STRAIGHT};
+use super::node_update::NodeUpdate;
 use super::panel::{POINTS, Panel, RULE};
-use super::passing::Passing;
 use super::profile::Profile;
 use super::rim::Rim;
 use super::row::Row;
@@ -182,15 +182,15 @@ impl<'a> Contact<'a> {
         };
         next.updates += (next.cells.len() * POINTS) as u64;
         let n = self.springs.terms();
-        let mut passing = Passing::new(self.springs, &next.profile, motion);
+        let mut node_update = NodeUpdate::new(self.springs, &next.profile, motion);
         for (cell, values) in next.cells.iter_mut().zip(next.values.chunks_exact_mut((POINTS * n).max(1))) {
             let bonded = cell.high <= motion.to || 0.5 * (cell.low + cell.high) < motion.to;
             let heights = if cell.bonded || bonded { cell.heights(&self.profile) } else { [0.0; POINTS] };
             for (g, (state, height)) in values.chunks_exact_mut(n.max(1)).zip(heights).enumerate() {
                 match (cell.bonded, bonded) {
-                    (true, true) => passing.bonded(state, height),
-                    (false, false) => passing.free(state),
-                    (before, _) => passing.passed(state, cell.node(g), height, before),
+                    (true, true) => node_update.bonded(state, height),
+                    (false, false) => node_update.free(state),
+                    (before, _) => node_update.passed(state, cell.node(g), height, before),
                 }
             }
         }
@@ -333,19 +333,19 @@ impl<'a> Contact<'a> {
         let Some(last_bonded) = first_free.checked_sub(1).filter(|_| self.radius > 0.0) else { return (0.0, 0.0) };
         let Some(cell) = self.cells.get(last_bonded) else { return (0.0, 0.0) };
         let within = Panel { lower: cell.low, upper: cell.high, values: self.loads(last_bonded, cell) };
-        let (mut strain, mut doubt) = (0.0, 0.0);
+        let (mut strain, mut uncertainty) = (0.0, 0.0);
         if let Some(cell) = self.cells.get(first_free) {
             let strains = Panel { lower: cell.low, upper: cell.high, values: self.strain_sums(first_free) };
-            (strain, doubt) = strains.at_end(self.radius);
-            doubt += strain.abs() * self.place_rounding(cell);
+            (strain, uncertainty) = strains.at_end(self.radius);
+            uncertainty += strain.abs() * self.place_rounding(cell);
         }
         let glassy = self.springs.glassy;
         let (load, mut own) = within.at_end(self.radius);
         own += load.abs() * self.place_rounding(cell);
         let without = glassy * (self.penetration - self.profile.line(self.radius) - strain);
         let advances = self.way > PLACE_NOISE * NARROWEST * self.radius;
-        let is_layer = glassy * doubt < own && (without - load).abs() <= UNRESOLVED * own;
-        if is_layer || (advances && (without - load).abs() > UNRESOLVED * own) { (without, glassy * doubt) } else { (load, own) }
+        let is_layer = glassy * uncertainty < own && (without - load).abs() <= UNRESOLVED * own;
+        if is_layer || (advances && (without - load).abs() > UNRESOLVED * own) { (without, glassy * uncertainty) } else { (load, own) }
     }
 
     /// Rounding of places over the width of a panel: of the layer behind a quick edge so much is not known.

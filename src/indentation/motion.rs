@@ -1,7 +1,7 @@
 //! One step: how the edge passes the line, and how the penetration goes.
 //!
 //! Within a step the part u of the time that has gone by, 0…1, and the part x of the way that the edge has gone are polynomials of one another:
-//! t(y) while the edge drives the step (it stays smooth where the edge runs away), y(t) while time does (smooth where the edge stands still).
+//! t(y) while the edge drives the step (it stays smooth where the edge accelerates unstably), y(t) while time does (smooth where the edge stands still).
 //! y is f(s) of the indenter, which makes a contact that grows from a point smooth, or s itself. Δ = Δ₀ + Σ w_k u^k.
 
 use super::profile::Profile;

@@ -43,9 +43,9 @@ impl Integrator<'_> {
 
     fn prescribed_motion(&mut self, radius: f64, dt: f64, degree: u32) -> Result<(Motion, f64, f64), Refusal> {
         let here = self.contact.penetration();
-        let now = self.past.nodes().first().copied();
+        let now = self.path_history.nodes().first().copied();
         let powers = |rise: f64| match now {
-            Some(_) if dt > 0.0 => self.past.powers(rise, degree, |node| (node.time / dt, node.penetration - here)),
+            Some(_) if dt > 0.0 => self.path_history.powers(rise, degree, |node| (node.time / dt, node.penetration - here)),
             _ => ([rise, 0.0, 0.0, 0.0, 0.0], 0.0),
         };
         let motion = |rise: f64| {

@@ -1,20 +1,19 @@
-//! A history of contact from a problem to numbers with errors: three integrations, each tighter than the one before, of which the last two judge the first; one more
-//! until the
-//! errors meet the accuracy.
+//! A history of contact from a problem to numbers with errors: three integrations, each tighter than the one before, of which the last two assess the first; one more
+//! until the errors meet the accuracy.
 
+use super::assessment::{WithErrors, with_errors};
 use super::by_panels;
 use super::checkpoint::{Checkpoint, Observer, RunState, StepsState, Watch};
-use super::convergence::{BEHIND, HEARD, TIGHTER};
+use super::convergence::{BEHIND, COMPARED, TIGHTER};
 use super::fields::SurfaceFields;
 use super::integrator::{Guide, integrate_to};
-use super::judgement::{WithErrors, with_errors};
 use super::problem::IndentationProblem;
 use super::profile::Profile;
 use super::solution::{IndentationSolution, IndentationWork, PathPoint, Trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
 
-/// Tolerance of the first integration, over the accuracy: nearly all integrations err by less than a hundredth of their tolerance, and bars are some four times the
+/// Tolerance of the first integration, over the accuracy: nearly all integrations err by less than a hundredth of their tolerance, and bounds are some four times the
 /// error.
 const FIRST: f64 = 1.0;
 /// The loosest first integration: looser ones take no longer steps.
@@ -88,10 +87,10 @@ pub fn run_watched(
         // Segments that were stationary early are as long for every tighter integration.
         let stops = integrations.first().map_or(&[][..], |integration| &integration.shortened);
         let integration = match integrate_to(material, problem, tolerance, stops, Guide { from: under_way.take(), observer }) {
-            // An integration that gives up leaves those before it: they are judged as far as they go.
+            // An integration that gives up leaves those before it: they are assessed as far as they go.
             Err(Refusal::NotConverged { .. }) if integrations.len() > 1 => {
-                let told = told(problem, &integrations, true).map(|verdict| verdict.solution(work));
-                return told.ok_or(Refusal::NotConverged { what: "history of contact", detail: "no integration is left".into() });
+                let reported = reported(problem, &integrations, true).map(|assessed| assessed.solution(work));
+                return reported.ok_or(Refusal::NotConverged { what: "history of contact", detail: "no integration is left".into() });
             }
             integration => integration?,
         };
@@ -99,10 +98,10 @@ pub fn run_watched(
         work.add(&integration.work);
         let most = MOST_EVALUATIONS + EVALUATIONS_OF_A_CYCLE * integration.cycles.last().map_or(0, |cycle| cycle.number);
         integrations.insert(0, integration);
-        integrations.truncate(HEARD);
+        integrations.truncate(COMPARED);
         let last = finished > 1 && (tolerance <= TIGHTEST || work.closure_evaluations > most);
-        if let Some(verdict) = told(problem, &integrations, last) {
-            return Ok(verdict.solution(work));
+        if let Some(assessed) = reported(problem, &integrations, last) {
+            return Ok(assessed.solution(work));
         }
         tolerance = (TIGHTER * tolerance).max(TIGHTEST);
     }
@@ -126,18 +125,18 @@ pub fn surface_of(
     if solved.by_panels { by_panels::surface_at(material, problem, &solved.integration, time).map(Some) } else { Ok(None) }
 }
 
-/// The loosest integration that two behind it find within the accuracy. Where no integration is to follow, those behind are asked too, and the best is told.
-fn told(problem: &IndentationProblem, integrations: &[Trace], last: bool) -> Option<WithErrors> {
+/// The loosest integration that two behind it find within the accuracy. Where no integration is to follow, those behind are asked too, and the best is reported.
+fn reported(problem: &IndentationProblem, integrations: &[Trace], last: bool) -> Option<WithErrors> {
     let mut best: Option<WithErrors> = None;
     let loosest = if last { BEHIND.min(integrations.len().checked_sub(1)?) } else { BEHIND };
     let tightest = if last { 0 } else { BEHIND };
-    for told in (tightest..=loosest).rev() {
-        let verdict = with_errors(problem, integrations, told)?;
-        if verdict.excess <= 1.0 {
-            return Some(verdict);
+    for reported in (tightest..=loosest).rev() {
+        let assessed = with_errors(problem, integrations, reported)?;
+        if assessed.excess <= 1.0 {
+            return Some(assessed);
         }
-        if best.as_ref().is_none_or(|best| verdict.excess < best.excess) {
-            best = Some(verdict);
+        if best.as_ref().is_none_or(|best| assessed.excess < best.excess) {
+            best = Some(assessed);
         }
     }
     best.filter(|_| last)
@@ -182,25 +181,25 @@ mod tests {
         (IndentationProblem { accuracy: ACCURACY, ..problem }, [1e-5, 1e-4, 1e-3].into_iter().zip(forces).map(integration).collect())
     }
 
-    fn told_of(forces: [f64; 3], last: bool) -> Option<(f64, bool)> {
+    fn reported_of(forces: [f64; 3], last: bool) -> Option<(f64, bool)> {
         let (problem, integrations) = integrations(forces);
-        let solution = told(&problem, &integrations, last)?.solution(IndentationWork::default());
+        let solution = reported(&problem, &integrations, last)?.solution(IndentationWork::default());
         Some((solution.integration.tolerance, solution.reached))
     }
 
     #[test]
     fn the_loosest_integration_within_the_accuracy_is_reported() {
-        assert_eq!(told_of([1.0, 1.0, 1.0 + 1e-5], false), Some((1e-3, true)));
-        assert_eq!(told_of([1.0, 1.0, 1.0 + 1e-5], true), Some((1e-3, true)));
+        assert_eq!(reported_of([1.0, 1.0, 1.0 + 1e-5], false), Some((1e-3, true)));
+        assert_eq!(reported_of([1.0, 1.0, 1.0 + 1e-5], true), Some((1e-3, true)));
         // Without an integration to follow, one behind it; with one, none yet.
-        assert_eq!(told_of([1.0, 1.0 + 1e-6, 1.0 + 3e-4], false), None);
-        assert_eq!(told_of([1.0, 1.0 + 1e-6, 1.0 + 3e-4], true), Some((1e-4, true)));
+        assert_eq!(reported_of([1.0, 1.0 + 1e-6, 1.0 + 3e-4], false), None);
+        assert_eq!(reported_of([1.0, 1.0 + 1e-6, 1.0 + 3e-4], true), Some((1e-4, true)));
     }
 
     #[test]
     fn where_no_integration_is_to_follow_the_best_is_reported() {
-        // Of bars of 0.04, 0.031 and 0.03.
-        assert_eq!(told_of([1.0, 1.0 + 1e-3, 1.0 + 1e-2], true), Some((1e-5, false)));
-        assert_eq!(told_of([1.0, 1.0 + 1e-3, 1.0 + 1e-2], false), None);
+        // Of bounds of 0.04, 0.031 and 0.03.
+        assert_eq!(reported_of([1.0, 1.0 + 1e-3, 1.0 + 1e-2], true), Some((1e-5, false)));
+        assert_eq!(reported_of([1.0, 1.0 + 1e-3, 1.0 + 1e-2], false), None);
     }
 }

@@ -105,7 +105,7 @@ pub struct Event<T> {
     pub energies: Option<[T; 4]>,
     /// G_tip = K_I²/(2E∞*) (J/m²), with the energies.
     pub tip_release_rate: Option<T>,
-    /// G = G_tip − P_d/(dA/dt) (J/m²), with the energies: G_tip where the edge runs away; none where it stands.
+    /// G = G_tip − P_d/(dA/dt) (J/m²), with the energies: G_tip where the edge accelerates unstably; none where it stands.
     pub energy_release_rate: Option<T>,
 }
 
@@ -191,7 +191,7 @@ pub struct Trace {
     pub spreads: Vec<Spread>,
     /// Segments that ended early, stationary: which, and how long they took (s).
     pub shortened: Vec<(usize, f64)>,
-    /// What is told of every point, of those as well that a long path no longer holds.
+    /// What is reported of every point, of those as well that a long path no longer holds.
     pub summary: Summary,
     /// Counters.
     pub work: IndentationWork,
@@ -280,7 +280,7 @@ impl IndentationSolution {
     }
 }
 
-/// A history of contact with errors: an integration, judged by two behind it that are ten and a hundred times tighter.
+/// A history of contact with errors: an integration, assessed by two behind it that are ten and a hundred times tighter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationSolution {
     /// The kept instants.

@@ -1,4 +1,4 @@
-//! What is told of every point of an integration, whether or not the path still holds it.
+//! What is reported of every point of an integration, whether or not the path still holds it.
 
 use super::solution::{Event, EventKind, PathPoint};
 use serde::{Deserialize, Serialize};
@@ -86,7 +86,7 @@ impl Summary {
 
 /// The state of the largest tension between the points next to the one at a place; none where there are too few, or where the polynomial shoots over.
 ///
-/// Over time, or over the radius, which goes on smoothly where the edge runs away: over that which needs its last point less.
+/// Over time, or over the radius, which goes on smoothly where the edge accelerates unstably: over that which needs its last point less.
 fn refined(points: &[&PathPoint], place: usize) -> Option<Event<f64>> {
     let first = place.saturating_sub(POINTS / 2).min(points.len().saturating_sub(POINTS));
     let near = points.get(first..points.len().min(first + POINTS)).filter(|near| near.len() > 2)?;
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_tension_of_an_edge_that_runs_away_in_steps_shorter_than_the_clock_tells() {
+    fn the_largest_tension_of_an_edge_that_accelerates_in_steps_shorter_than_the_clock_resolves() {
         assert!(is_the_peak(pull([1.0, 2.0, 2.5, 2.5, 2.5, 2.5])));
     }
 

@@ -11,7 +11,7 @@
 //! Oracle: the running means (held to mpmath in `crack_sec_5_2_5_3_raw_double_integrals`), closed forms.
 //!
 //! Tolerance: opening 1e-14 relative, all integrands positive. Closing: the stress changes sign, and what is left of it may be 1e-3 of its
-//! parts, so the error is held to the stated bars, plus that of the stress, and both to 1e-14 of the integral of the magnitudes.
+//! parts, so the error is held to the stated bounds, plus that of the stress, and both to 1e-14 of the integral of the magnitudes.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support::physics;
@@ -38,7 +38,7 @@ impl<T: Fn(f64) -> f64, G: Fn(f64) -> f64> EdgeFields for Fields<T, G> {
     }
 }
 
-/// ½∫ tension·gap/δ by a fixed rule in the logarithms of the distances, good to a percent: for magnitudes and bars, which have kinks.
+/// ½∫ tension·gap/δ by a fixed rule in the logarithms of the distances, good to a percent: for magnitudes and bounds, which have kinks.
 fn about(tension: impl Fn(f64) -> f64, gap: impl Fn(f64) -> f64, zone: f64) -> f64 {
     (-1600..=1600)
         .map(|index| {

@@ -12,7 +12,7 @@
 //!
 //! Oracle: `reference_data/steady_crack.csv` (mpmath, the frequency integrals themselves); the two expansions above.
 //!
-//! Tolerance: 1e-13 for the reference times the local condition of a speed rounded to a double; the error bars must hold. Figures of the
+//! Tolerance: 1e-13 for the reference times the local condition of a speed rounded to a double; the error bounds must hold. Figures of the
 //! comparison are pinned to the digits printed.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
@@ -50,7 +50,7 @@ fn reference_values_are_reached_to_1e13() {
         let input = 0.5 * f64::EPSILON * (1.0 + condition) * expected;
         let error = relative(ratio.value, expected);
         let place = format!("{} {}: {:e} instead of {expected:e}", row.text("case"), row.text("process_zone"), ratio.value);
-        assert!((ratio.value - expected).abs() <= ratio.error + input, "{place}: above its bar {:e}", ratio.error);
+        assert!((ratio.value - expected).abs() <= ratio.error + input, "{place}: above its bound {:e}", ratio.error);
         if condition <= 20.0 {
             assert!(error <= 1e-13, "{place}: {error:e}");
             worst = worst.max(error);

@@ -59,7 +59,7 @@ fn cohesive_zone_references_are_reached_to_1e13() {
         let condition = state.speed_exponent.abs();
         let place = format!("{}: {value:e} instead of {expected:e}", row.text("case"));
         let error = (value - expected).abs();
-        assert!(error <= bar + 0.5 * f64::EPSILON * (1.0 + condition) * expected, "{place}: above its bar {bar:e}");
+        assert!(error <= bar + 0.5 * f64::EPSILON * (1.0 + condition) * expected, "{place}: above its bound {bar:e}");
         assert!(error <= 1e-13 * (1.0 + condition) * expected, "{place}: {:e}", error / expected);
         assert!(relative(state.crossing_length.value, row.number("process_zone_length")) <= 1e-13 * (1.0 + condition), "{place}");
         worst[index] = worst[index].max(error / expected / (1.0 + condition));

@@ -12,7 +12,7 @@
 //! computed trajectory; closed forms at rest; invariances.
 //!
 //! Tolerance: 3e-4 for the closure by trapezia over a trajectory sampled at 4000 times, some tens a zone (their own error); 1e-4 of a zone against
-//! 192 raw steps, whose error falls at second order; 1e-9 for the place of a kink, which is landed on; rounding (1e-11) for invariances; error bars must hold.
+//! 192 raw steps, whose error falls at second order; 1e-9 for the place of a kink, which is landed on; rounding (1e-11) for invariances; error bounds must hold.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
@@ -431,7 +431,7 @@ fn units_split_terms_and_split_holds_change_nothing() {
 }
 
 #[test]
-fn error_bars_hold_against_a_finer_run_over_random_histories() {
+fn error_bounds_hold_against_a_finer_run_over_random_histories() {
     let mut random = Random(4207);
     let (mut checked, mut widest) = (0, 0.0_f64);
     for _ in 0..120 {
@@ -473,7 +473,7 @@ fn error_bars_hold_against_a_finer_run_over_random_histories() {
             checked += 1;
         }
     }
-    println!("{checked} places, widest bar {widest:.1e}");
+    println!("{checked} places, widest bound {widest:.1e}");
     assert!(checked > 200);
 }
 

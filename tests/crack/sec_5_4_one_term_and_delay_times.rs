@@ -13,7 +13,7 @@
 //! theory, which shares nothing with the stepper but the material.
 //!
 //! Tolerance: 1e-14 for delays times the condition of the creep sum in its own given doubles; 1e-10 for trajectories at 256 lines, which
-//! leave errors of third order; 1e-10 for late speeds. Error bars must hold throughout.
+//! leave errors of third order; 1e-10 for late speeds. Error bounds must hold throughout.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;

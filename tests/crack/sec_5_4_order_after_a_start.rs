@@ -15,7 +15,7 @@
 //!
 //! Tolerance: a term whose place ẋ₀τ_j is less than a line errs by ẋ₀τ_j/(δm²), the others by 1/m³: so the order of single cases scatters about 3
 //! and below, their mean is above 2; the worst place of all falls by four for each halving.
-//! Bars must hold throughout.
+//! Bounds must hold throughout.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;

@@ -1,7 +1,7 @@
 //! Source: thesis Sec 5.4 with a load that changes slowly: growth over up to 1e6 process zones, and what it costs.
 //!
 //! Goal: quasi-steady growth over very many zones is followed in few steps and bounded memory; it agrees with stepping every zone; the
-//! zone may follow the load; the error bars hold. Counters of the stepper are pinned: linear in steps and terms.
+//! zone may follow the load; the error bounds hold. Counters of the stepper are pinned: linear in steps and terms.
 //!
 //! ```text
 //!   K ╱ slowly            v(t) ≈ v_steady(K(t)), to first order in the load's rate corrected
@@ -11,7 +11,7 @@
 //! Oracle: a run whose lines are so many that it steps every zone (its own threshold falls with the square of the lines); the steady theory at
 //! the end of a slow ramp, up to one part in the number of zones.
 //!
-//! Tolerance: the error bars themselves; 1e-4 of a place where both runs are bars; 20 zones' worth for the steady speed.
+//! Tolerance: the error bounds themselves; 1e-4 of a place where both runs are bounds; 20 zones' worth for the steady speed.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use viscotack::Material;
@@ -115,7 +115,10 @@ fn gliding_agrees_with_stepping_every_zone() {
                         assert!(off <= 1e-4 * right.value.abs(), "{name} at {}: {left:?} {right:?}", one.time);
                     }
                 }
-                println!("{from} to {to}, follows: {follows}: {worst:.2} of the bars, {} and {} steps", coarse.work.steps, fine.work.steps);
+                println!(
+                    "{from} to {to}, follows: {follows}: {worst:.2} of the bounds, {} and {} steps",
+                    coarse.work.steps, fine.work.steps
+                );
             }
         }
     }

@@ -122,7 +122,7 @@ fn nothing_is_dissipated_by_a_step() {
     }
 }
 
-/// Pulled at once beyond what the glassy contact bears: it lets go where a ramp of no time does.
+/// Pulled at once beyond what the glassy contact carries: it lets go where a ramp of no time does.
 #[test]
 fn a_step_to_detachment_lets_go_where_the_fastest_ramp_does() {
     let (material, time) = (rubber(), 1e-8);

@@ -128,12 +128,12 @@ fn a_run_goes_on_from_any_step_to_the_same_bits() {
         let whole = run_watched(&material, &problem, None, Some(&counter)).unwrap();
         the_same(&run(&material, &problem).unwrap(), &whole, name);
         let steps = counter.asked.load(Ordering::Relaxed);
-        // Told in order, from integration to integration, and to the end of each.
+        // Reported in order, from integration to integration, and to the end of each.
         let parts = counter.parts.into_inner().unwrap();
         assert!(parts.windows(2).all(|pair| pair[1].0 > pair[0].0 || pair[1].1 >= pair[0].1), "{name}: backwards");
         assert!(parts.iter().all(|(_, part)| (0.0..=1.0).contains(part)), "{name}: a part");
         assert!(parts.last().is_some_and(|(_, part)| *part > 0.8), "{name}: {:?}", parts.last());
-        // A run of many steps is told by fewer of them.
+        // A run of many steps is shown by fewer of them.
         let draws = if steps < 1000 { 8 } else { 3 };
         for _ in 0..draws {
             let step = random.between(0.0, steps as f64) as u64;

@@ -47,10 +47,10 @@ fn force_and_penetration_tell_one_story() {
             }
         }
         let penetration = integrated(&material, depths, Start::Relaxed, 1e-6);
-        let (last, twin) = (before.last().unwrap(), penetration.path.last().unwrap());
-        println!("a {} {} F {} {}", last.contact_radius, twin.contact_radius, last.force, twin.force);
-        assert!((last.contact_radius / twin.contact_radius - 1.0).abs() < 1e-3);
-        assert!((last.force - twin.force).abs() < 2e-3 * last.force.abs());
+        let (last, same) = (before.last().unwrap(), penetration.path.last().unwrap());
+        println!("a {} {} F {} {}", last.contact_radius, same.contact_radius, last.force, same.force);
+        assert!((last.contact_radius / same.contact_radius - 1.0).abs() < 1e-3);
+        assert!((last.force - same.force).abs() < 2e-3 * last.force.abs());
     }
 }
 
@@ -68,9 +68,9 @@ fn radius_and_penetration_tell_one_story() {
         time = point.time;
     }
     let penetration = integrated(&rubber(), depths, Start::Relaxed, 1e-6);
-    let (last, twin) = (radius.path.last().unwrap(), penetration.path.last().unwrap());
-    println!("a {} {} F {} {}", last.contact_radius, twin.contact_radius, last.force, twin.force);
-    assert!((last.contact_radius / twin.contact_radius - 1.0).abs() < 1e-3);
+    let (last, same) = (radius.path.last().unwrap(), penetration.path.last().unwrap());
+    println!("a {} {} F {} {}", last.contact_radius, same.contact_radius, last.force, same.force);
+    assert!((last.contact_radius / same.contact_radius - 1.0).abs() < 1e-3);
 }
 
 /// When a contact held by a spring opens, the spring gives what it stored, F²/(2k_f), once; what the solid then no longer stores is lost.

@@ -2,12 +2,11 @@
 //!
 //! Goal: turns, corners one process zone from them, folds and rests cost an integration no more than its tolerance.
 //!
-//! Parameters: scenes of the study of error bars (`viscotack verify`), in each of which one feature was found to dominate: a turn within a step that the edge
-//! drove, a long first step behind a landmark where the edge is slow, a path held to a straight line by a first guess, t(y) where y(t) is the smoother, a landmark
-//! forgotten
-//! at another one, a turn that steps creep up to, a corner of a corner, corners of the history and places left suddenly that the edge comes back over, a turn just ahead,
-//! short ways, growth that no tolerance changed, panels joined, a fold that is foreseen,
-//! the first steps behind a corner, a contact as small as its zone, errors that do not fall, a short last step to an instant.
+//! Parameters: scenes of the study of error bounds (`viscotack verify`), in each of which one feature was found to dominate: a turn within a step that the edge
+//! drove, a long first step behind a kink where the edge is slow, a path held to a straight line by a first guess, t(y) where y(t) is the smoother, a kink forgotten at
+//! another one, a turn that steps creep up to, a corner of a corner, corners of the history and places left suddenly that the edge comes back over, a turn just ahead,
+//! short ways, growth that no tolerance changed, panels joined, a fold that is foreseen, the first steps behind a corner, a contact as small as its zone, errors that
+//! do not fall, a short last step to an instant.
 //!
 //! Oracle: the same integration at a tolerance of 1e-8, which took the features in steps so short that they did not matter; for joined panels Lee and Radok's closed
 //! form.
@@ -41,9 +40,9 @@ fn a_turn_within_a_step_that_the_edge_drives() {
     assert!(left(174, 4, 3e-3, |point| point.contact_radius) < 4e-5);
 }
 
-/// It was 3.2e-4: a straight first step, which nothing judges, as long as the one before.
+/// It was 3.2e-4: a straight first step, which nothing assesses, as long as the one before.
 #[test]
-fn a_first_step_behind_a_landmark() {
+fn a_first_step_behind_a_kink() {
     assert!(left(186, 3, 3.2e-4, |point| point.penetration) < 6e-5);
 }
 
@@ -62,7 +61,7 @@ fn an_edge_that_slows_down_is_smooth_in_time() {
 
 /// They were 3.1e-6 and 2.1e-4: the corner one process zone beyond a turn was forgotten at an older corner before it.
 #[test]
-fn a_landmark_beyond_another_one() {
+fn a_kink_beyond_another_one() {
     assert!(left(238, 4, 1e-3, |point| point.contact_radius) < 6e-7);
     assert!(left(2306, 4, 1e-4, |point| point.stress_intensity_factor) < 8e-5);
 }
@@ -171,7 +170,7 @@ fn a_fold_that_is_foreseen() {
 
 /// It was 1.3e-4, between 1e-6 and 1e-4: just behind a corner, steps of rounding foresaw a fold.
 #[test]
-fn no_fold_is_told_by_the_first_steps_behind_a_corner() {
+fn no_fold_is_seen_in_the_first_steps_behind_a_corner() {
     let truth = radius_of_detachment(1414, 1e-8);
     for tolerance in [1e-4, 1e-6, 1e-7] {
         assert!((radius_of_detachment(1414, tolerance) - truth).abs() < 1e-6 * truth);
@@ -196,7 +195,7 @@ fn a_contact_as_small_as_its_zone() {
     }
 }
 
-/// Three integrations in a row err alike here: their bar was half of the error.
+/// Three integrations in a row err alike here: their bound was half of the error.
 #[test]
 fn errors_that_do_not_fall_are_held() {
     let (material, problem) = sphere::problem(68, 1e-4).unwrap();

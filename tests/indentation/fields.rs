@@ -1,6 +1,6 @@
 //! Source: theory of the line (Sneddon 1965); Johnson, Kendall & Roberts (1971); thesis Figs 4.4, 4.6.
 //!
-//! Goal: pressure and surface displacement of a contact, elastic or with a past.
+//! Goal: pressure and surface displacement of a contact, elastic or with a path history.
 //!
 //! Parameters: a sphere R = 1 with E* = 10; a re-advanced contact of a solid with β = 10.
 //!

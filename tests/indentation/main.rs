@@ -18,7 +18,7 @@ mod closure_and_states;
 mod controls;
 mod edge_law;
 mod energies;
-mod error_bars;
+mod error_bounds;
 mod features_converge;
 mod fields;
 mod measured_scans;

@@ -157,7 +157,7 @@ fn frames_between_both_controls() {
     assert!((radii[2] / event.contact_radius.value - 1.0).abs() < 1e-2, "{radii:?} {event:?}");
 }
 
-/// The rim of a punch holds until the edge there gives way: glassily, when the unloading is fast.
+/// The rim of a punch holds until the edge there detaches: glassily, when the unloading is fast.
 #[test]
 fn flat_punches() {
     let radius = 0.1;
@@ -244,10 +244,10 @@ fn refusals_have_reasons() {
     }
 }
 
-/// A punch whose rim gives way at the peak of every pull, and takes the edge back: the edge arrives at the rim, rests, and leaves it near the top of a
+/// A punch whose rim detaches at the peak of every pull, and takes the edge back: the edge arrives at the rim, rests, and leaves it near the top of a
 /// sinus, where the time to the instant of leaving is noise.
 #[test]
-fn a_rim_gives_way_in_every_cycle() {
+fn a_rim_detaches_in_every_cycle() {
     let material = Material::standard_solid(1.0e6, 1.0e7, 1e-2).unwrap();
     let (radius, work, zone) = (2e-4, 0.2, 2e-6);
     let mut receded = 0;

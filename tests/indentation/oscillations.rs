@@ -74,7 +74,7 @@ fn a_punch_has_the_complex_stiffness_of_its_solid() {
     }
 }
 
-/// Stiffness of the last of so many cycles, with the transients of the start and the straight line between both ends taken off as the meter does.
+/// Stiffness of the last of so many cycles, with the transients of the start and the straight line between both ends taken off as the cycle integrals do.
 fn with_transient(material: &Material, omega: f64, cycles: f64) -> (f64, f64) {
     let period = TAU / omega;
     let (start, end) = ((cycles - 1.0) * period, cycles * period);

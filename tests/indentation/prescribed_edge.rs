@@ -92,7 +92,7 @@ fn a_cone_is_sneddons() {
         let cone = Contact::untouched(&elastic, Profile::Cone { slope }, a, depth).unwrap();
         let exact = 2.0 / std::f64::consts::PI * modulus * depth * depth * angle.tan();
         assert!((cone.force() / exact - 1.0).abs() < 1e-12, "{} {exact}", cone.force());
-        // Without adhesion the edge bears nothing.
+        // Without adhesion the edge carries nothing.
         assert!(cone.stress_intensity_factor().abs() < 1e-12 * modulus * slope * a.sqrt());
         let problem =
             IndentationProblem { accuracy: 1e-8, ..IndentationProblem::new(Profile::Cone { slope }, None, History::penetration(depth)) };

@@ -216,9 +216,8 @@ fn wrong_points_are_refused() {
 }
 
 /// Rough tables: heights that rise by noise, of a rough tip, of steps, of a flat with one asperity. Where terms of f′ cancel, its series must be taken to end where
-/// rounding
-/// begins: 2e-15 of a small difference is never reached, and halving for it fills the memory. Oracle: f by Gauss's rule in θ from point to point, r = s sin θ, of
-/// the slopes of the cubic. 1e-12: sums of a few hundred numbers.
+/// rounding begins: 2e-15 of a small difference is never reached, and halving for it fills the memory. Oracle: f by Gauss's rule in θ from point to point, r = s sin θ,
+/// of the slopes of the cubic. 1e-12: sums of a few hundred numbers.
 #[test]
 fn rough_points_end_with_a_shape_or_a_refusal() {
     const NODES: [(f64, f64); 4] = [
@@ -227,7 +226,7 @@ fn rough_points_end_with_a_shape_or_a_refusal() {
         (0.796_666_477_413_626_7, 0.222_381_034_453_374_5),
         (0.960_289_856_497_536_2, 0.101_228_536_290_376_3),
     ];
-    let (told, tell) = std::sync::mpsc::channel();
+    let (reported, tell) = std::sync::mpsc::channel();
     std::thread::spawn(move || {
         let mut seed = 20_261_125_u64;
         let mut drawn = move || {
@@ -297,7 +296,7 @@ fn rough_points_end_with_a_shape_or_a_refusal() {
                 }
             }
         }
-        told.send((shapes, refused)).unwrap();
+        reported.send((shapes, refused)).unwrap();
     });
     let (shapes, refused) = tell.recv_timeout(std::time::Duration::from_secs(120)).expect("a shape does not end, or is wrong");
     println!("{shapes} shapes, {refused} that flatten outwards");

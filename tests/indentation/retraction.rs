@@ -39,7 +39,7 @@ fn retraction(speed: f64, end: f64) -> IndentationProblem {
     }
 }
 
-/// F_off at five speeds over five decades: the coarse step is judged by the fine one, and the change falls at least like the step.
+/// F_off at five speeds over five decades: the coarse step is assessed by the fine one, and the change falls at least like the step.
 #[test]
 fn pull_off_converges_at_every_speed() {
     let jkr = 1.5 * PI * WORK;
@@ -71,7 +71,7 @@ fn pull_off_converges_at_every_speed() {
 
 /// Slow enough, the contact is the elastic one of modulus E0 at the same process zone, all along.
 #[test]
-fn slow_retraction_is_soft_and_fast_elastic_twins_agree() {
+fn slow_retraction_is_soft_and_fast_elastic_limits_agree() {
     let problem = retraction(1e-8, 0.0);
     let trace = integrate(&rubber(), &problem, 1e-3).unwrap();
     for &kept in &trace.kept {
@@ -123,7 +123,7 @@ fn fast_retraction_is_the_closed_form() {
 
 /// Pa, m, s → MPa, mm, ms: same numbers, and errors of the estimates that cover an integration four times finer.
 #[test]
-fn units_and_error_bars() {
+fn units_and_error_bounds() {
     let (modulus, radius, time) = (0.83e6, 2.7e-3, 0.4);
     let material = Material::standard_solid(modulus, BETA * modulus, BETA * time).unwrap();
     let speed = 3e-3 * radius / time;
@@ -139,12 +139,12 @@ fn units_and_error_bars() {
     let si = run(&material, &problem(1.0, 1.0, 1.0)).unwrap();
     let other = Material::standard_solid(modulus * 1e-6, BETA * modulus * 1e-6, BETA * time * 1e3).unwrap();
     let mm = run(&other, &problem(1e3, 1e-6, 1e3)).unwrap();
-    let judge = integrate(&material, &problem(1.0, 1.0, 1.0), 1e-9).unwrap();
+    let assess = integrate(&material, &problem(1.0, 1.0, 1.0), 1e-9).unwrap();
     for (index, (first, second)) in si.instants.iter().zip(&mm.instants).enumerate() {
         // The root of each step is found to 1e-10.
         assert!((first.contact_radius.value * 1e3 / second.contact_radius.value - 1.0).abs() < 1e-7);
         assert!((first.force.value - second.force.value).abs() < 1e-7 * first.force.value.abs());
-        let truth = judge.path[judge.kept[index]];
+        let truth = assess.path[assess.kept[index]];
         println!(
             "t {:.4}: F {:e} ± {:e}, off {:e}; a ± {:e}, off {:e}; U ± {:e}, off {:e}",
             first.time,

@@ -351,7 +351,7 @@ fn frames_between_penetration_and_force() {
     }
 }
 
-/// Under a pull that swings below what the rim bears, it never lets go, and the stiffness is that of a punch; the chain beyond the rim opens and shuts in every cycle.
+/// Under a pull that swings below what the rim carries, it never lets go, and the stiffness is that of a punch; the chain beyond the rim opens and shuts in every cycle.
 #[test]
 fn a_rim_that_holds_a_swinging_load() {
     let material = Material::standard_solid(1.0, 10.0, 0.1).unwrap();

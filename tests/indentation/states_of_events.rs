@@ -131,6 +131,6 @@ fn a_jump_has_the_state_that_the_instants_before_it_come_to() {
             "number {place}"
         );
     }
-    // Where the edge runs away nothing is left to be lost on the way.
+    // Where the edge accelerates unstably nothing is left to be lost on the way.
     assert!((jump.energy_release_rate.unwrap().value - jump.tip_release_rate.unwrap().value).abs() < 1e-12);
 }

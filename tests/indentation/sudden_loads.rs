@@ -7,8 +7,7 @@
 //!                    └──→ the edge must go out to the equilibrium of the new depth; the root of the pressed edge lies inwards
 //! ```
 //! Parameters: steps of 2 to 120 times the depth that the tension of the edge stands for, up and down (the integration takes a sixteenth at once: above 32 the edge is
-//! pressed
-//! so hard that the product exceeds the work of adhesion); an elastic solid and β = 10; zones 0.02 to 1 % of the contact.
+//! pressed so hard that the product exceeds the work of adhesion); an elastic solid and β = 10; zones 0.02 to 1 % of the contact.
 //!
 //! Oracle: elastic contacts at equal process zone (their own oracle: `indentation_reference_values`), and JKR's closed form at the same depth; for punches Kendall's
 //! pull-off and F = 2aΔ/J(t).
@@ -50,8 +49,7 @@ fn a_large_step_of_penetration_finds_the_equilibrium_of_its_depth() {
 }
 
 /// β = 10: at once the step is carried by E∞ upon what the relaxed contact held, so that the contact radius lies between those of the two depths, and after a thousand
-/// relaxation
-/// times nothing of the way is left.
+/// relaxation times nothing of the way is left.
 #[test]
 fn a_large_step_on_rubber_goes_outwards_and_relaxes() {
     let rubber = Material::standard_solid(1.0, 10.0, 10.0).unwrap();

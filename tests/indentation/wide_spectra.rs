@@ -1,15 +1,13 @@
 //! Source: theory of the sphere (thesis chapter 4 on the line), solids whose times span ten to twelve decades.
 //!
 //! Goal: slow edges that run away through all of their times, edges that creep while a layer behind them is thinner than any panel, and turns so slow that the way of a
-//! step is
-//! rounding, cost an integration no more than its tolerance.
+//! step is rounding, cost an integration no more than its tolerance.
 //!
 //! Parameters: E0* = 1, spectra of 2, 5 and 20 equal terms with times spread evenly; γ̃ and δ̃ as in the thesis's Fig 4.3 unless said otherwise. Three
 //! scenes of the calibration study, in units of their own.
 //!
 //! Oracle: integrations of other tolerances agree about the place of a fold to a millionth of the process zone, and to what each says of it; for K over ground that no
-//! edge has touched the closed form
-//! K = E∞*(f(a) − Δ)/√(πa), in which no panel and no memory stands: the surface there is flat.
+//! edge has touched the closed form K = E∞*(f(a) − Δ)/√(πa), in which no panel and no memory stands: the surface there is flat.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use std::f64::consts::PI;
@@ -31,11 +29,10 @@ fn slow_pull_off() -> IndentationProblem {
     IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, adhesion, history)
 }
 
-/// The edge runs away over twelve decades of speed, at last in steps a millionth of what a clock tells that has run since the start: such integrations stood still
-/// (tolerances of 1e-6 and less were
-/// refused after 6000 steps).
+/// The edge accelerates unstably over twelve decades of speed, at last in steps a millionth of what a clock tells that has run since the start: such integrations stood
+/// still (tolerances of 1e-6 and less were refused after 6000 steps).
 #[test]
-fn an_edge_that_runs_away_faster_than_the_clock() {
+fn an_edge_that_accelerates_faster_than_the_clock() {
     let (material, problem) = (spectrum(5, 3.0, 12.0), slow_pull_off());
     let places: Vec<f64> = [1e-5, 1e-6, 1e-7]
         .into_iter()
@@ -47,7 +44,7 @@ fn an_edge_that_runs_away_faster_than_the_clock() {
         })
         .collect();
     println!("radius at detachment: {places:?}");
-    // Followed to 4e-4 of the zone only, and told by the times of three steps, the places of all three were off by 4e-6 of it.
+    // Followed to 4e-4 of the zone only, and shown by the times of three steps, the places of all three were off by 4e-6 of it.
     assert!((places[0] - places[2]).abs() < 1e-6 * 0.013 && (places[1] - places[2]).abs() < 3e-7 * 0.013);
 }
 
@@ -76,8 +73,7 @@ fn the_place_of_a_fold_is_known_to_what_is_said_of_it() {
 }
 
 /// Just after its turn a slow edge goes by the last digits of its place. The load at the edge is noise there, and its sign alone made the edge a pressed one: the
-/// certificate
-/// held a residual of 2.
+/// certificate held a residual of 2.
 #[test]
 fn a_slow_turn_is_no_pressed_edge() {
     let material = spectrum(20, 3.0, 12.0);
@@ -89,8 +85,7 @@ fn a_slow_turn_is_no_pressed_edge() {
 }
 
 /// A held indenter whose edge creeps outwards by a hundred-millionth of its radius: the fast term has answered within a layer that no panel resolves, and what is read
-/// behind it was K with
-/// that term relaxed, by noise more or less; the accuracy was not reached by any number of integrations.
+/// behind it was K with that term relaxed, by noise more or less; the accuracy was not reached by any number of integrations.
 #[test]
 fn the_intensity_of_an_edge_that_creeps() {
     let (beta, depth) = (1.28, 0.0047);

@@ -12,7 +12,7 @@
 //!
 //! Oracle: closed forms and Gauss quadrature of the hereditary integrals with R and J of the material, here in the test; identities.
 //!
-//! Tolerance: 1e-9 of the largest value, and the bounds told.
+//! Tolerance: 1e-9 of the largest value, and the bounds reported.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::FRAC_PI_2;
@@ -136,7 +136,7 @@ fn press_hold_and_retract_detaches() {
     }
 }
 
-/// An elastic contact has no past: a = f⁻¹(Δ) at every point of the path, oscillating, stepping, under a force.
+/// An elastic contact has no path history: a = f⁻¹(Δ) at every point of the path, oscillating, stepping, under a force.
 #[test]
 fn elastic_contacts_follow_at_every_instant() {
     let material = Material::elastic(3e6).unwrap();

@@ -12,7 +12,7 @@
 //!
 //! Oracle: closed forms, and Gauss quadrature of the hereditary integral with R of the material, here in the test.
 //!
-//! Tolerance: 1e-8 of the largest value, and the bounds told.
+//! Tolerance: 1e-8 of the largest value, and the bounds reported.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use viscotack::Material;

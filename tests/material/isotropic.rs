@@ -197,32 +197,32 @@ fn times_a_few_rounding_units_apart() {
                 let close: Vec<f64> =
                     (0..count).map(|index| if index == 1 { far(time, ulps) } else { far(time, ulps / 2 * index as u64) }).collect();
                 let others = [(0.3e6, 0.03 * time), (0.2e6, 50.0 * time)];
-                let apart: Vec<(f64, f64)> = close.iter().map(|&time| (0.8e6, time)).chain(others).collect();
+                let separate: Vec<(f64, f64)> = close.iter().map(|&time| (0.8e6, time)).chain(others).collect();
                 let together: Vec<(f64, f64)> = std::iter::once((0.8e6 * count as f64, time)).chain(others).collect();
-                let (apart, together) = (series(0.55e6, &apart), series(0.55e6, &together));
+                let (separate, together) = (series(0.55e6, &separate), series(0.55e6, &together));
                 let creeping = |terms: &[(f64, f64)]| {
                     let terms: Vec<CreepTerm> =
                         terms.iter().map(|&(compliance, retardation_time)| CreepTerm { compliance, retardation_time }).collect();
                     Material::from_creep(3e6, &terms, None).unwrap()
                 };
-                let creep_apart = creeping(&close.iter().map(|&time| (4e-7, time)).chain([(2e-7, 9.0 * time)]).collect::<Vec<_>>());
+                let creep_separate = creeping(&close.iter().map(|&time| (4e-7, time)).chain([(2e-7, 9.0 * time)]).collect::<Vec<_>>());
                 let creep_together = creeping(&[(4e-7 * count as f64, time), (2e-7, 9.0 * time)]);
-                for (apart, together) in [(&apart, &together), (&creep_apart, &creep_together)] {
-                    assert!((apart.glassy_modulus() / together.glassy_modulus() - 1.0).abs() < 1e-15);
+                for (separate, together) in [(&separate, &together), (&creep_separate, &creep_together)] {
+                    assert!((separate.glassy_modulus() / together.glassy_modulus() - 1.0).abs() < 1e-15);
                     for at in [0.01, 0.5, 1.0, 2.0, 30.0] {
                         let (t, frequency) = (at * time, at / time);
                         let errors = [
-                            apart.relaxation(t) / together.relaxation(t) - 1.0,
-                            apart.creep(t) / together.creep(t) - 1.0,
-                            relative(modulus(apart, frequency), modulus(together, frequency)),
+                            separate.relaxation(t) / together.relaxation(t) - 1.0,
+                            separate.creep(t) / together.creep(t) - 1.0,
+                            relative(modulus(separate, frequency), modulus(together, frequency)),
                             // The means carry the bounds of converted terms.
-                            apart.mean_creep(t).value / together.mean_creep(t).value - 1.0,
+                            separate.mean_creep(t).value / together.mean_creep(t).value - 1.0,
                         ];
                         assert!(errors.iter().all(|error| error.abs() < 1e-13), "{time:e} {ulps} {count} at {at}: {errors:?}");
-                        assert!(apart.mean_creep(t).relative_error < 1e-12 && apart.mean_relaxation(t).relative_error < 1e-12);
+                        assert!(separate.mean_creep(t).relative_error < 1e-12 && separate.mean_relaxation(t).relative_error < 1e-12);
                     }
                 }
-                let solid = IsotropicSolid::new(apart.clone(), Material::elastic(4e6).unwrap()).unwrap();
+                let solid = IsotropicSolid::new(separate.clone(), Material::elastic(4e6).unwrap()).unwrap();
                 let one = IsotropicSolid::new(together.clone(), Material::elastic(4e6).unwrap()).unwrap();
                 for at in [0.1, 1.0, 7.0] {
                     let (found, right) = (modulus(solid.plane_strain(), at / time), modulus(one.plane_strain(), at / time));

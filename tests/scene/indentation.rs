@@ -64,7 +64,7 @@ fn retraction_in_reduced_units_is_that_of_the_solver() {
     assert_eq!(rows.len(), direct.instants.len());
     for (row, instant) in rows.iter().zip(&direct.instants) {
         assert!(row.status == Status::Solved, "{row:?}");
-        // Both are within their bars of the truth.
+        // Both are within their bounds of the truth.
         let bar = 2.0 * instant.force.error / PI + 1e-12;
         assert!((value(&outcome, row, "time") - instant.time).abs() < 1e-9);
         assert!((value(&outcome, row, "force") - instant.force.value / PI).abs() <= bar);
@@ -87,7 +87,7 @@ fn retraction_in_reduced_units_is_that_of_the_solver() {
     assert!(outcome.rows[1..].windows(2).all(|pair| value(&outcome, &pair[0], "time") <= value(&outcome, &pair[1], "time")));
 }
 
-/// R = 2.5 mm, E0* = 0.8 MPa, ρ = 0.3 s: the same history in SI, within the error bars of both.
+/// R = 2.5 mm, E0* = 0.8 MPa, ρ = 0.3 s: the same history in SI, within the error bounds of both.
 #[test]
 fn si_and_reduced_scenes_are_one() {
     let history = "[[history]]\npenetration = 0.02\nduration = 5\n[[history]]\nhold = 3\n[[history]]\nforce = -0.0005\nduration = 2\n";
@@ -125,7 +125,7 @@ fn si_and_reduced_scenes_are_one() {
         {
             let place = column(&reduced, name);
             let [left, right] = [one.values[place].unwrap().scaled(unit), other.values[place].unwrap()];
-            // Steps are chosen by rounded numbers, so that the two integrations are not the same to the last bit: each is within its own bar.
+            // Steps are chosen by rounded numbers, so that the two integrations are not the same to the last bit: each is within its own bound.
             assert!(
                 (left.value - right.value).abs() <= left.error + right.error + 1e-9 * left.value.abs(),
                 "{:?} {name}: {left:?} {right:?}",
@@ -138,7 +138,7 @@ fn si_and_reduced_scenes_are_one() {
     assert!((value(&reduced, instants(&reduced).last().unwrap(), "force") + 0.0005).abs() < 1e-9);
 }
 
-/// 2π∫p r dr is F; inside the contact the surface is the indenter; both within the fields' own bars, 1e-3.
+/// 2π∫p r dr is F; inside the contact the surface is the indenter; both within the fields' own bounds, 1e-3.
 #[test]
 fn fields_carry_the_force_and_lie_on_the_indenter() {
     let outcome = solved(&format!(

@@ -5,7 +5,7 @@
 //! early, thins out or is left out does so.
 //! Parameters: the thesis's chapter 4 (γ̃ = 1.6e-4, δ̃ = 0.013, β = 10), and a punch that stays pressed, for which the edge plays no part.
 //! Oracle: [`viscotack::indentation::run`] with numbers written here; 2aE*(ω) by [`viscotack::Material::complex_modulus`].
-//! Tolerance: the error bars of the rows themselves; with each test where there are none.
+//! Tolerance: the error bounds of the rows themselves; with each test where there are none.
 #![allow(clippy::float_cmp, clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::{PI, TAU};
@@ -94,7 +94,7 @@ fn cycles_in_reduced_units_are_those_of_the_solver() {
         }
         for (name, unit, of) in quantities {
             let (found, expected) = (cell(&outcome, row, name), of(cycle));
-            // Both are within their bars of the truth.
+            // Both are within their bounds of the truth.
             assert!((found.value * unit - expected.value).abs() <= found.error * unit + expected.error, "{name}: {found:?} {expected:?}");
         }
         // The first cycle has none before it.
@@ -171,7 +171,7 @@ fn a_held_punch_tells_the_complex_modulus() {
         let (storage, loss) = (size * modulus.storage, size * modulus.loss);
         let whole = storage.hypot(loss);
         println!("{frequency} Hz: {} cycles, {:?}, {:?}", of_state.len(), cell(&outcome, last, "storage_stiffness"), storage);
-        // The drift that is left, 1e-5 of the cycle, and the bar of the row, 1e-5 as well.
+        // The drift that is left, 1e-5 of the cycle, and the bound of the row, 1e-5 as well.
         assert!((value(&outcome, last, "storage_stiffness") - storage).abs() < 2e-5 * whole);
         assert!((value(&outcome, last, "loss_stiffness") - loss).abs() < 2e-5 * whole);
         assert!((value(&outcome, last, "phase") - loss.atan2(storage)).abs() < 2e-5);

@@ -5,7 +5,7 @@
 //!   π𝒢    ζ → 0 and ζ → ∞: log|2 sin(x/2)|·(1 or 1/β), even      between: the wake recovers slowly, lopsided
 //! ```
 //! Goal: every value within the error bound it is returned with, and that bound small. Parameters: β = 1, 2, 10, 16 and 1000, ζ from 1e-6 to 1e4, one
-//! and three terms, layers of kd from 0.01 to 5. Twins: elastic (β = 1), both speed limits, reversed speed, split terms, thick layers.
+//! and three terms, layers of kd from 0.01 to 5. Control cases: elastic (β = 1), both speed limits, reversed speed, split terms, thick layers.
 //! Oracle: Fourier sums by parts in 56 digits, without Clausen functions; invariances. Tolerance: the bound itself, at most 3e-14·(1 + |𝒢|) for half-planes.
 #![allow(clippy::unwrap_used, clippy::panic)]
 

@@ -312,7 +312,7 @@ fn stability_is_what_moved_edges_do() {
             let values = &point.values;
             let (half_width, eccentricity) = (values.half_width.value, values.eccentricity.value);
             let at_rest = [half_width - eccentricity, half_width + eccentricity];
-            for (control, frame, told) in [
+            for (control, frame, reported) in [
                 (SlidingControl::MeanPressure(values.mean_pressure.value), 0.0, point.variations.under_load()),
                 (SlidingControl::Penetration(values.penetration.value), f64::INFINITY, point.variations.under_penetration()),
             ] {
@@ -342,11 +342,11 @@ fn stability_is_what_moved_edges_do() {
                 }
                 let pace = 0.5 / (one.abs() + two.abs()).max(three.abs() + four.abs());
                 let back = [[1.0, 1.0], [1.0, -0.7]].map(|push| comes_back(&balance, at_rest, push.map(|part| 0.1 * part * step), pace));
-                let expected = if told == Stability::Stable { [Some(true); 2] } else { [Some(false); 2] };
+                let expected = if reported == Stability::Stable { [Some(true); 2] } else { [Some(false); 2] };
                 // An unstable equilibrium may be approached along the way that is held, but not from both sides of it.
-                let agrees = if told == Stability::Stable { back == expected } else { back.contains(&Some(false)) };
-                assert!(agrees, "a = {half_width}, {control:?}: {told:?} {back:?} {matrix:?}");
-                *kinds.entry(format!("{told:?} at {}", if frame > 0.0 { "fixed Δ" } else { "fixed p̄" })).or_insert(0) += 1;
+                let agrees = if reported == Stability::Stable { back == expected } else { back.contains(&Some(false)) };
+                assert!(agrees, "a = {half_width}, {control:?}: {reported:?} {back:?} {matrix:?}");
+                *kinds.entry(format!("{reported:?} at {}", if frame > 0.0 { "fixed Δ" } else { "fixed p̄" })).or_insert(0) += 1;
                 checked += 1;
             }
         }

@@ -1,12 +1,10 @@
 //! Source: this crate's claim that a contact which cannot exist is refused with a witness; `sliding::steady`, thesis Secs 3.2 and 3.3 for the conditions.
 //!
-//! Goal: half-widths, loads and process zones at which both edge conditions hold only with a pressed edge or with faces that meet outside the contact are no such state,
-//! and
-//! the limit that is named is one: contacts on its near side, none on its far side. What turns unlocated must say so.
+//! Goal: half-widths, loads and process zones at which both edge conditions hold only with a pressed edge or with faces that meet outside the contact are no such
+//! state, and the limit that is named is one: contacts on its near side, none on its far side. What turns unlocated must say so.
 //!
 //! Parameters: the four scenes of the calibration study that were refused as not converged (cylinders, numbers as drawn, rounded); an elastic wave and cylinder with
-//! zones as long as the
-//! contact or works ten thousand times apart; the elastic reference contact of Γ = 0.002, ζ = 10, δ = 1e-3.
+//! zones as long as the contact or works ten thousand times apart; the elastic reference contact of Γ = 0.002, ζ = 10, δ = 1e-3.
 //!
 //! Oracle: every contact of a half-width by its quadratic forms, which needs no path (`contacts_of_width`); the gap on a fine grid; contacts beside the limit.
 //!

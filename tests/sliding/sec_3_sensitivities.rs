@@ -1,14 +1,14 @@
 //! Source: issue "Sliding branches", part 5: users know the process zone to a factor of three at best; thesis Secs 3.4, 3.7 and 3.8.
 //!
-//! Goal: every sensitivity of a contact and of what it bears is the derivative of the solution itself, by an independent way each.
+//! Goal: every sensitivity of a contact and of what it carries is the derivative of the solution itself, by an independent way each.
 //!
 //! Parameters: one and three retardation times with moduli that are no units; all three controls; even and uneven works; a wave and a cylinder; an elastic solid.
 //!
 //! Oracle: central differences of whole solutions with Richardson's extrapolation, made in other numbers than those differentiated (all times by the rate, E0 by
 //! the material's modulus at a load in pascals, β by a material built anew); the scaling relations of dimensional analysis; Johnson's pull-off in closed form.
 //!
-//! Tolerance: the bar plus 1e-9 (strengths: 3e-9) of the extrapolated differences, which are made of solutions good to 1e-11 with steps of 1 to 4 %; relations of one set
-//! to its bars.
+//! Tolerance: the bound plus 1e-9 (strengths: 3e-9) of the extrapolated differences, which are made of solutions good to 1e-11 with steps of 1 to 4 %; relations of one
+//! set to its bounds.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 use viscotack::material::CreepTerm;

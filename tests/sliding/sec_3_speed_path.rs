@@ -5,7 +5,7 @@
 //! Parameters: β = 20 with one term; a twelve-term rubber over twelve decades with a modulus that is no unit; p̄ and Γ as stated.
 //!
 //! Oracle: `JohnsonWave` and `WestergaardWave` with the relaxed and the glassy modulus (closed forms, with their own tests); the adhesiveless
-//! twin for Γ → 0; full contact by the complex modulus.
+//! contact without adhesion for Γ → 0; full contact by the complex modulus.
 //!
 //! Tolerance: the fast limit at a finite process zone δ differs from δ → 0 by O(δ/a): 3δ; Γ → 0 differs by O(√Γ).
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
@@ -70,24 +70,24 @@ fn one_term_over_ten_decades_of_speed() {
 }
 
 #[test]
-fn adhesiveless_twin_is_reached_as_adhesion_vanishes_and_its_limits_are_westergaards() {
+fn the_adhesiveless_contact_is_reached_as_adhesion_vanishes_and_its_limits_are_westergaards() {
     let (beta, pressure) = (20.0, 0.1);
     let material = Material::standard_solid(3.1e6, 3.1e6 * beta, 0.5).unwrap();
     let westergaard = |modulus: f64| {
         WestergaardWave::new(modulus, 2.0 * PI, 1.0).unwrap().state_by_mean_pressure(0.5 * pressure).unwrap().contact_half_width
     };
     for ratio in [1e-3, 0.1, 1.0, 30.0] {
-        let twin = contact_at_rate(&material, ratio / 0.5, None, Prescribed::MeanPressure(pressure), 1e-13).unwrap().state;
+        let adhesiveless = contact_at_rate(&material, ratio / 0.5, None, Prescribed::MeanPressure(pressure), 1e-13).unwrap().state;
         let distance = |work: f64| {
             let found =
                 contact_at_rate(&material, ratio / 0.5, Some(adhesion(work, 1e-4)), Prescribed::MeanPressure(pressure), 1e-10).unwrap();
-            (found.state.contact().half_width - twin.contact().half_width).abs()
+            (found.state.contact().half_width - adhesiveless.contact().half_width).abs()
         };
         let (coarse, fine) = (distance(1e-6), distance(1e-8));
-        println!("ζ = {ratio}: a {:.6}, adhesive minus adhesiveless {coarse:.2e}, {fine:.2e}", twin.contact().half_width);
+        println!("ζ = {ratio}: a {:.6}, adhesive minus adhesiveless {coarse:.2e}, {fine:.2e}", adhesiveless.contact().half_width);
         // √Γ falls tenfold; the process zone of 1e-4 stays.
         assert!(fine < 0.2 * coarse + 2e-4, "{coarse:e} {fine:e}");
-        assert!(twin.friction_stress() > 0.0);
+        assert!(adhesiveless.friction_stress() > 0.0);
     }
     let half_width = |ratio: f64| {
         contact_at_rate(&material, ratio / 0.5, None, Prescribed::MeanPressure(pressure), 1e-13).unwrap().state.contact().half_width

@@ -11,7 +11,7 @@
 //! Oracle: collocation of the integral equation at given edges; the elastic closed forms, reached as δ → 0; the energy identity of hysteresis; the same contact
 //! with the works at its speed written as constants.
 //!
-//! Tolerance: 3e-11 against the collocation (which confirms 11 digits); what is left of three process zones by extrapolation; bars elsewhere.
+//! Tolerance: 3e-11 against the collocation (which confirms 11 digits); what is left of three process zones by extrapolation; bounds elsewhere.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
 use crate::support;
@@ -338,9 +338,9 @@ fn a_branch_of_speeds_follows_the_law() {
     // A curve turns in speed where the conditions at fixed speed become singular: at the works of that speed, whatever they do elsewhere.
     let held = BranchProblem { adhesion: works(at_fold.value), ..base };
     let other = trace(&material, &held).unwrap();
-    let elsewhere = other.folds_of(FoldQuantity::LogRate).next().unwrap().parameter();
-    println!("fold at {at_fold:?}, with works held at {elsewhere:?}");
-    assert!((elsewhere.value - at_fold.value).abs() <= elsewhere.error + at_fold.error + 1e-12 * at_fold.value);
+    let at_another = other.folds_of(FoldQuantity::LogRate).next().unwrap().parameter();
+    println!("fold at {at_fold:?}, with works held at {at_another:?}");
+    assert!((at_another.value - at_fold.value).abs() <= at_another.error + at_fold.error + 1e-12 * at_fold.value);
     assert!(at_fold.error < 1e-7 * at_fold.value, "{at_fold:?}");
     // Without the law it turns elsewhere, or not at all.
     let constant = trace(&material, &base).unwrap();

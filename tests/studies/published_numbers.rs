@@ -18,14 +18,10 @@
 //! `contact_rolling.csv`, a collocation of CONTACT's own discretisation.
 //!
 //! Tolerance: half a unit of the last printed digit. CONTACT prints what its discretisation gives, not what its equations say, and three of its five pressures differ
-//! from
-//! the solver in the last digits. So two steps. Discretised as its input and source say (one row of rectangles of 0.16 mm by 1000 mm, a rim in the middle; integrals over
-//! the
-//! memory to 1e-3, neighbours subtracted) the independent collocation gives all fifteen numbers to the printed digit, also the 85.31 with slow creep above the 85.29
-//! without,
-//! which no creep can do. Without that discretisation the same collocation gives the solver's digits: 1e-6 (its two finest meshes agree to 1.2e-6 at worst, the observed
-//! difference
-//! is 8e-8). The solver may differ from a printed number by what the discretisation alone changes, at most 0.014 N/mm².
+//! from the solver in the last digits. So two steps. Discretised as its input and source say (one row of rectangles of 0.16 mm by 1000 mm, a rim in the middle;
+//! integrals over the memory to 1e-3, neighbours subtracted) the independent collocation gives all fifteen numbers to the printed digit, also the 85.31 with slow creep
+//! above the 85.29 without, which no creep can do. Without that discretisation the same collocation gives the solver's digits: 1e-6 (its two finest meshes agree to
+//! 1.2e-6 at worst, the observed difference is 8e-8). The solver may differ from a printed number by what the discretisation alone changes, at most 0.014 N/mm².
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;

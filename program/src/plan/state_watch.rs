@@ -45,7 +45,7 @@ pub enum Stage {
     },
 }
 
-/// Told how far a run is.
+/// Receives how far a run is.
 pub type Progress<'a> = &'a (dyn Fn(Stage) + Sync);
 
 /// What a state is solved with.

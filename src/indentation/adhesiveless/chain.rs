@@ -36,7 +36,7 @@ impl Chain {
         let mut voigt: Vec<(f64, f64)> =
             material.creep_terms().iter().map(|term| (term.retardation_time.recip(), term.compliance / term.retardation_time)).collect();
         voigt.extend(material.steady_viscosity().map(|viscosity| (0.0, viscosity.recip())));
-        let maxwell = apart(maxwell, &mut voigt);
+        let maxwell = distinct(maxwell, &mut voigt);
         if voigt.len() != maxwell.len() {
             return Err(Refusal::Undefined {
                 quantity: "the spring chain of the material",
@@ -127,7 +127,7 @@ impl Chain {
 }
 
 /// Relaxation terms without two that double precision cannot keep apart, and without the retardation rates between those.
-fn apart(terms: Vec<(f64, f64)>, voigt: &mut Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+fn distinct(terms: Vec<(f64, f64)>, voigt: &mut Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let mut kept: Vec<(f64, f64)> = Vec::with_capacity(terms.len());
     for (modulus, rho) in terms {
         match kept.last_mut() {

@@ -7,8 +7,8 @@ use super::line::Line;
 use super::motions::Wanted;
 use crate::indentation::checkpoint::Watch;
 use crate::indentation::current_segment::{CurrentSegment, part, weight};
+use crate::indentation::cycle_integrals::CycleIntegrals;
 use crate::indentation::history::{Controlled, Segment};
-use crate::indentation::meter::Meter;
 use crate::indentation::problem::{IndentationProblem, Start};
 use crate::indentation::record::Record;
 use crate::indentation::solution::{EventKind, Trace};
@@ -82,7 +82,7 @@ pub(super) struct Course<'a> {
     pub(super) origin: f64,
     pub(super) time: f64,
     pub(super) record: Record<'a>,
-    pub(super) meter: Option<Meter>,
+    pub(super) cycle_integrals: Option<CycleIntegrals>,
     /// What has been added up since the last point.
     pub(super) sums: Sums,
     /// The work of a relaxed contact as deep as the history reaches at least (J).
@@ -120,7 +120,7 @@ impl<'a> Course<'a> {
             origin: 0.0,
             time: 0.0,
             record: Record::without_contact(),
-            meter: None,
+            cycle_integrals: None,
             sums: Sums::default(),
             least_work: 0.0,
             left: 0.0,
@@ -363,8 +363,14 @@ impl<'a> Course<'a> {
     fn current(&mut self, index: usize, current: &CurrentSegment) -> Result<f64, Refusal> {
         let segment = current.segment;
         self.begin_segment(current);
-        self.meter = segment.oscillation.map(|oscillation| {
-            Meter::new(index, (oscillation, segment.duration), self.origin, self.chain.longest_time(), self.record.trace.path.last())
+        self.cycle_integrals = segment.oscillation.map(|oscillation| {
+            CycleIntegrals::new(
+                index,
+                (oscillation, segment.duration),
+                self.origin,
+                self.chain.longest_time(),
+                self.record.trace.path.last(),
+            )
         });
         let stop = self.record.end_of(index);
         let mut duration = stop.unwrap_or(segment.duration);
@@ -393,8 +399,10 @@ impl<'a> Course<'a> {
                 cycle += 1;
                 self.line.tidy(true);
                 self.observe(index, Some(&segment));
-                let stationary =
-                    self.meter.as_mut().and_then(|meter| self.record.cycle(meter, self.origin + target, self.problem.accuracy));
+                let stationary = self
+                    .cycle_integrals
+                    .as_mut()
+                    .and_then(|cycle_integrals| self.record.cycle(cycle_integrals, self.origin + target, self.problem.accuracy));
                 if until_stationary && stop.is_none() && stationary == Some(true) {
                     duration = target;
                     self.record.trace.shortened.push((index, target));
@@ -407,7 +415,7 @@ impl<'a> Course<'a> {
                 instant += 1;
             }
         }
-        self.record.last_cycle(self.meter.take());
+        self.record.last_cycle(self.cycle_integrals.take());
         self.end_segment(current, duration);
         Ok(duration)
     }

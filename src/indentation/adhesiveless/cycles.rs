@@ -35,9 +35,9 @@ impl<'a> Course<'a> {
             return 0;
         }
         self.line.everywhere += change;
-        let Some(meter) = &mut self.meter else { return 0 };
+        let Some(cycle_integrals) = &mut self.cycle_integrals else { return 0 };
         for _ in 0..left {
-            self.record.cycle_again(meter);
+            self.record.cycle_again(cycle_integrals);
         }
         self.time = current.end_of_cycle(next + left - 1).unwrap_or(by).min(by);
         self.point(false);

@@ -35,7 +35,7 @@ pub(super) enum Ended {
     /// It was found.
     Touched,
     /// What presses is less than what the panel leaves: whether the contact is lost is not known, and nothing was passed.
-    Faint,
+    Unresolved,
 }
 
 /// How far, which way (none at rest), and why no further.
@@ -217,7 +217,7 @@ impl Line<'_> {
             }
             if place.is_none() {
                 if known.is_some_and(|(_, left)| self.hardly_lost(drive, left)) {
-                    return Ok((0.0, None, Ended::Faint));
+                    return Ok((0.0, None, Ended::Unresolved));
                 }
                 // The axis is the last to lose contact.
                 let lost = self.lost_at(drive, time);

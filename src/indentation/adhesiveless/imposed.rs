@@ -99,8 +99,8 @@ impl Course<'_> {
             let vanishes = gone < whole || given.end() <= 0.0;
             // What presses hardly at all is let go at once; instants before its end still see it pressed.
             let seen = wanted.first().map(|instant| instant.time - start).filter(|time| *time < gone);
-            let faint = pulls && vanishes && self.presses_no_more(&given, at, gone);
-            let soon = gone - at <= nothing.max(4.0 * f64::EPSILON * gone) || faint && seen.is_none();
+            let unresolved = pulls && vanishes && self.presses_no_more(&given, at, gone);
+            let soon = gone - at <= nothing.max(4.0 * f64::EPSILON * gone) || unresolved && seen.is_none();
             if pulls && vanishes && soon {
                 self.time = start + gone;
                 self.let_go()?;
@@ -110,7 +110,7 @@ impl Course<'_> {
                 continue;
             }
             let most = match seen {
-                Some(time) if faint => time - at,
+                Some(time) if unresolved => time - at,
                 _ if pulls && vanishes => TOWARDS * (gone - at),
                 _ => whole - at,
             };
@@ -197,7 +197,7 @@ impl Course<'_> {
             } else {
                 self.line.follow(&drive, &met, allowed)?
             };
-            if went.2 == Ended::Faint {
+            if went.2 == Ended::Unresolved {
                 drive = through(&Law::new(&self.line, self.fresh, length).resting().depths);
                 self.line.pass_nothing(&drive);
                 went = (length, None, Ended::Whole);
@@ -227,8 +227,8 @@ impl Course<'_> {
             self.depth_rate = (passed > 0.0).then(|| drive.rate(passed));
             // A panel may end just where the edge reaches the axis.
             match ended {
-                Ended::Whole | Ended::Touched | Ended::Faint if self.line.radius() > 0.0 => {}
-                Ended::Whole | Ended::Touched | Ended::Faint | Ended::Lost => self.lost(Some(drive.rate(passed))),
+                Ended::Whole | Ended::Touched | Ended::Unresolved if self.line.radius() > 0.0 => {}
+                Ended::Whole | Ended::Touched | Ended::Unresolved | Ended::Lost => self.lost(Some(drive.rate(passed))),
                 Ended::Turned => self.turned(),
             }
             return Ok(if rests { drive.duration } else { passed.max(f64::MIN_POSITIVE) });

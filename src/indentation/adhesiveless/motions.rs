@@ -83,7 +83,7 @@ impl<'a> Course<'a> {
                     self.record.new_piece();
                     self.corner();
                 }
-                Ended::Turned | Ended::Faint => self.turned(),
+                Ended::Turned | Ended::Unresolved => self.turned(),
                 Ended::Lost => self.lost(Some(drive.rate(time))),
             }
             if rest <= 4.0 * f64::EPSILON * drive.duration {

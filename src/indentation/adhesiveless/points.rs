@@ -52,8 +52,8 @@ impl Course<'_> {
         point.energies = look.energies.map(|now| self.account(now, &sums, sudden));
         self.record.trace.work.steps += 1;
         self.record.push(point);
-        if let Some(meter) = &mut self.meter {
-            meter.passed(&point, &sums);
+        if let Some(cycle_integrals) = &mut self.cycle_integrals {
+            cycle_integrals.passed(&point, &sums);
         }
     }
 

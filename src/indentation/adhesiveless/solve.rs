@@ -5,11 +5,11 @@ use super::course::{Course, Fineness, Left, Loss, Unknown};
 use super::fresh::Fresh;
 use super::line::Line;
 use crate::estimate::Estimate;
+use crate::indentation::assessment::with_errors;
 use crate::indentation::checkpoint::Watch;
 use crate::indentation::cycle::Cycle;
 use crate::indentation::fields::SurfaceFields;
 use crate::indentation::history::{Controlled, Segment};
-use crate::indentation::judgement::with_errors;
 use crate::indentation::panel::Panel;
 use crate::indentation::problem::IndentationProblem;
 use crate::indentation::profile::Profile;
@@ -20,8 +20,8 @@ use crate::refusal::Refusal;
 /// Series of the finest course, and how much finer each is than the one before.
 const FINEST: f64 = 1e-13;
 const COARSER: f64 = 10.0;
-/// Tolerances that say so to who judges: the bound of a course that a finer one is beside is twice the change, of the finest course six times. Three times missed one
-/// of 1,178,026 values of 10,000 scenes, by 2 %.
+/// Tolerances that say so to what assesses them: the bound of a course that a finer one is beside is twice the change, of the finest course six times. Three times
+/// missed one of 1,178,026 values of 10,000 scenes, by 2 %.
 const BY_FINER: f64 = 300.0;
 const BY_COARSER: f64 = 50.0;
 /// What rounding leaves of the energy lost, over the work done; what series leave of both is mostly more.
@@ -30,7 +30,7 @@ const OF_DIFFERENCE: f64 = 1e-13;
 pub(super) const OF_LAST: f64 = 4.0;
 /// Both amplitudes of a cycle are half a swing, of which the sums leave their part.
 const OF_AMPLITUDES: f64 = 4.0;
-/// Slope of S over f′ that is told from none.
+/// Slope of S over f′ that is distinguished from none.
 const SOFTEST: f64 = 1e4;
 /// Series over the accuracy, and sums over the time: where they leave too much, a finer course shows it and is taken.
 const OF_ACCURACY: f64 = 3e-2;

@@ -102,7 +102,7 @@ impl Integration<'_> {
         self.start_residual = self.sudden(0.0);
     }
 
-    /// The edge goes a way in no time, within one segment of the past.
+    /// The edge goes a way in no time, within one segment of the path history.
     pub(super) fn goes_at_once(&mut self, way: f64) {
         let values = vec![0.0; self.points.p + 1];
         let segment = passed(&self.points, &self.setting(way > 0.0), Chart::TimeOfPlace, way, &values, &[]);

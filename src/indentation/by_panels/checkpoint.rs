@@ -49,7 +49,7 @@ pub(super) struct IntegrationState {
     branch: Branch,
     at_once: Option<AtOnce>,
     marks: Vec<Mark>,
-    past: Option<(bool, Segment, f64)>,
+    previous: Option<(bool, Segment, f64)>,
     span: (Chart, f64),
     /// To the turn, since the turn, residual and rate at the start, stiffness, residual of the last panel.
     numbers: [f64; 6],
@@ -87,7 +87,7 @@ impl Integration<'_> {
             branch,
             at_once,
             marks,
-            past,
+            previous,
             span,
             to_turn,
             since_turn,
@@ -113,7 +113,7 @@ impl Integration<'_> {
             branch: branch.clone(),
             at_once: *at_once,
             marks: marks.clone(),
-            past: past.clone(),
+            previous: previous.clone(),
             span: *span,
             numbers: [*to_turn, *since_turn, *start_residual, *start_rate, *stiffness, *panel_residual],
             slows: *slows,
@@ -131,7 +131,7 @@ impl Integration<'_> {
     /// A path as new, put where a checkpoint was taken.
     pub(super) fn restore(&mut self, state: IntegrationState) -> Result<(), Refusal> {
         let n = self.problem.chain.terms();
-        let segments = state.line.inside.iter().chain(&state.line.outside).chain(state.past.iter().map(|past| &past.1));
+        let segments = state.line.inside.iter().chain(&state.line.outside).chain(state.previous.iter().map(|previous| &previous.1));
         if state.branch.memory.len() != n || segments.into_iter().any(|segment| !segment.states.len().is_multiple_of(n + 1)) {
             return Err(foreign("its line has another number of terms"));
         }
@@ -150,7 +150,7 @@ impl Integration<'_> {
             branch,
             at_once,
             marks,
-            past,
+            previous,
             span,
             numbers,
             slows,
@@ -164,7 +164,7 @@ impl Integration<'_> {
             ..
         } = state;
         (self.line, self.upcoming, self.branch, self.at_once, self.marks) = (line, upcoming, branch, at_once, marks);
-        (self.past, self.span, self.slows, self.state) = (past, span, slows, state.state);
+        (self.previous, self.span, self.slows, self.state) = (previous, span, slows, state.state);
         [self.to_turn, self.since_turn, self.start_residual, self.start_rate, self.stiffness, self.panel_residual] = numbers;
         [self.refusals, self.flips, self.piece] = counts;
         (self.instants, self.met, self.cycles, self.outcome) = (instants, met, cycles, outcome);

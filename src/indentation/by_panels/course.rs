@@ -100,7 +100,7 @@ impl Integration<'_> {
         }
         self.refusals += 1;
         if self.refusals == PATIENCE && self.span.0 == Chart::TimeOfPlace || self.refusals == 3 * PATIENCE {
-            self.past = None;
+            self.previous = None;
             return None;
         }
         if span.abs() >= least {
@@ -109,7 +109,7 @@ impl Integration<'_> {
         if self.refusals < PATIENCE && self.state.is_none() && self.branch.is_held() {
             // It may be at rest, but for rounding.
             self.refusals = PATIENCE;
-            self.past = None;
+            self.previous = None;
             return None;
         }
         Some(End::Failed)

@@ -99,12 +99,12 @@ impl Integration<'_> {
         for mark in &mut self.marks {
             mark.place -= way;
         }
-        let past = self.line.list(advances).last().cloned()?;
+        let previous = self.line.list(advances).last().cloned()?;
         let next_way = factor * way.abs();
-        let speed = |x: f64| past.place_at(x).1 / series(&past.times, x).1;
+        let speed = |x: f64| previous.place_at(x).1 / series(&previous.times, x).1;
         let step = 1e-3 * (cut + 1.0);
         let v = speed(cut);
-        let acceleration = (v - speed(cut - step)) / (past.time_at(cut) - past.time_at(cut - step));
+        let acceleration = (v - speed(cut - step)) / (previous.time_at(cut) - previous.time_at(cut - step));
         let to_turn = v * v / (2.0 * acceleration.abs());
         self.to_turn = to_turn;
         let slows = v * acceleration < 0.0;
@@ -122,7 +122,7 @@ impl Integration<'_> {
             Chart::PlaceOfTime => (Chart::TimeOfPlace, sign * next_way.min(if slows { to_turn } else { since_turn })),
             Chart::TimeOfPlace => (Chart::TimeOfPlace, sign * factor * full),
         };
-        self.past = Some((advances, past, cut));
+        self.previous = Some((advances, previous, cut));
         self.looks_at_gap();
         if self.outcome.panels.is_multiple_of(MERGED_EVERY) {
             self.merge();
@@ -143,7 +143,7 @@ impl Integration<'_> {
             self.mark(false);
             self.merge();
             self.span = (Chart::PlaceOfTime, full * factor.min(1.0));
-            self.past = self.past.take().map(|(_, past, theta)| (!advances, past, theta));
+            self.previous = self.previous.take().map(|(_, previous, theta)| (!advances, previous, theta));
         }
         if corner == Some(cut) {
             self.mark(false);
@@ -154,7 +154,7 @@ impl Integration<'_> {
             return self.next_segment();
         }
         if met && (strong || !self.goes_on(v)) {
-            self.past = None;
+            self.previous = None;
         }
         None
     }
@@ -185,7 +185,7 @@ impl Integration<'_> {
 
     /// Begins the segment: its quantity goes on from where it is, or changes at once.
     pub(super) fn begins(&mut self) {
-        self.past = None;
+        self.previous = None;
         self.start_rate = 0.0;
         (self.refusals, self.flips) = (0, 0);
         self.piece += 1;

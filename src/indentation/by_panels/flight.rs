@@ -70,13 +70,13 @@ impl Integration<'_> {
         let mut here = start;
         self.step_in_flight(start, flight.depth(start), false);
         let row = Row { time: start, penetration: flight.depth(start), ..Row::default() };
-        self.meters_at_once(&row);
+        self.integrates_at_once(&row);
         loop {
             let last = flight.upcoming == self.problem.drive.segments.len();
             let mut touch = self.touch(&flight, here);
             let until = touch.map_or(flight.branch.end, |touch| touch.0);
             let rate = |time: f64| if flight.stays() { 0.0 } else { flight.branch.value(time - flight.branch.start).1 };
-            if let Some(stop) = self.meters_flight((here, until), |time| (flight.depth(time), rate(time))) {
+            if let Some(stop) = self.integrates_flight((here, until), |time| (flight.depth(time), rate(time))) {
                 self.branch = flight.branch.clone();
                 self.ends_early(stop);
                 (flight.branch.end, touch) = (stop, None);
@@ -209,7 +209,7 @@ impl Integration<'_> {
                 break;
             }
         }
-        self.past = None;
+        self.previous = None;
         (self.refusals, self.flips, self.start_rate) = (0, 0, 0.0);
         self.balance();
         let lands = self.sudden(0.0) < 0.0 && self.lands(true, zone / 16.0, 0.0, (Some(EventKind::JumpIn), from)).is_none();

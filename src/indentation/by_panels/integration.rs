@@ -48,7 +48,7 @@ pub(super) struct Integration<'a> {
     /// Kinks of the line.
     pub(super) marks: Vec<Mark>,
     /// Whether the edge advances, and its path so far up to a parameter.
-    pub(super) past: Option<(bool, Segment, f64)>,
+    pub(super) previous: Option<(bool, Segment, f64)>,
     pub(super) span: (Chart, f64),
     /// How far the edge would go until it turns, were its deceleration to last.
     pub(super) to_turn: f64,
@@ -118,7 +118,7 @@ impl<'a> Integration<'a> {
             branch,
             at_once: None,
             marks: vec![Mark { place: 0.0, jump: true }],
-            past: None,
+            previous: None,
             span: (Chart::TimeOfPlace, 0.0),
             to_turn: f64::INFINITY,
             since_turn: 0.0,
@@ -164,7 +164,7 @@ impl<'a> Integration<'a> {
         if self.is_prescribed() {
             return self.prescribed();
         }
-        if self.past.is_none() {
+        if self.previous.is_none() {
             let left = self.branch.end - self.line.time;
             if self.state.is_some() {
                 self.balance();
@@ -190,7 +190,7 @@ impl<'a> Integration<'a> {
             }
             self.sets(outset, left);
         }
-        let (advances, past, theta) = self.past.clone()?;
+        let (advances, previous, theta) = self.previous.clone()?;
         let (chart, mut span) = self.span;
         let mut floor = false;
         if chart == Chart::TimeOfPlace {
@@ -211,20 +211,20 @@ impl<'a> Integration<'a> {
                 }
             }
         }
-        let (mut guess, mut depths) = continued(&self.points, &past, theta, chart, span);
+        let (mut guess, mut depths) = continued(&self.points, &previous, theta, chart, span);
         if chart == Chart::PlaceOfTime {
             // States jump at a strong kink: it is landed on, in place; before that the edge goes on in time as long as it stays clear of it.
             let (kink, strong, _) = self.next_kink(advances);
             let crosses = |guess: &[f64]| strong && guess.iter().any(|s| s / kink >= 1.0);
             if crosses(&guess) {
-                let v = past.place_at(theta).1 / series(&past.times, theta).1;
+                let v = previous.place_at(theta).1 / series(&previous.times, theta).1;
                 if v * kink > 0.0 && self.to_turn > 1.5 * kink.abs() {
                     self.span = (Chart::TimeOfPlace, kink);
                     return None;
                 }
                 while crosses(&guess) && span > 0.0 {
                     span *= 0.7;
-                    (guess, depths) = continued(&self.points, &past, theta, chart, span);
+                    (guess, depths) = continued(&self.points, &previous, theta, chart, span);
                 }
             }
         }
@@ -291,7 +291,7 @@ impl<'a> Integration<'a> {
                 self.flips = 0;
                 return if self.lingers(span, tolerance) { None } else { self.refuses(span, 0.3, 0.0) };
             }
-            self.past = Some((!advances, past, theta));
+            self.previous = Some((!advances, previous, theta));
             self.mark(false);
             return None;
         }

@@ -1,7 +1,7 @@
 //! A jump: the edge moves in no time to the next place where it is in equilibrium.
 //!
 //! From a fold, or from an outset that is unstable, C − Δγ drives the edge on as long as it keeps its sign. The way is looked through from
-//! the start, in strides within one segment of the past; the first that ends beyond equilibrium is halved down to the landing. Without one
+//! the start, in strides within one segment of the path history; the first that ends beyond equilibrium is halved down to the landing. Without one
 //! the contact is lost.
 
 use super::integration::Integration;
@@ -39,9 +39,9 @@ impl Integration<'_> {
         let excess = |integration: &mut Self, way: f64| sign * (integration.sudden(sign * way) - left);
         let mut stride = first;
         let mut gone = 0.0;
-        self.past = None;
+        self.previous = None;
         loop {
-            // Within one segment of the past.
+            // Within one segment of the path history.
             let border = self.line.list(!advances).last().map_or(f64::INFINITY, |last| if advances { last.high } else { -last.low });
             let least = if advances { f64::INFINITY } else { self.line.edge - FLOOR * zone };
             // A border within rounding of the edge is passed.
@@ -74,7 +74,7 @@ impl Integration<'_> {
                 }
                 self.piece += 1;
                 self.step_at_rest((to, 0.0), &from, false);
-                self.meters_at_once(&to);
+                self.integrates_at_once(&to);
                 self.outcome.jumps.push(to);
                 self.mark(true);
                 return None;

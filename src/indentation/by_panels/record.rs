@@ -104,7 +104,7 @@ impl Integration<'_> {
             self.step(Step { row, residual, piece: self.piece, area_rate, account, wanted });
         }
         self.outcome.ends.push(end_row);
-        self.meters_panel(advances, segment, cut);
+        self.integrates_panel(advances, segment, cut);
         if next > asked && self.is_asked_for_surface(next) {
             let theta = self.instants.last().and_then(|wanted| first_crossing(|x| segment.time_at(x) - (wanted - start)));
             let way = way(theta.map_or(cut, |theta| theta.min(cut)));
@@ -216,7 +216,7 @@ impl Integration<'_> {
             }
         }
         if time > 0.0 {
-            self.meters_rest(time);
+            self.integrates_rest(time);
         }
         let row = self.row(None, time);
         self.step_at_rest((row, time), &last, false);

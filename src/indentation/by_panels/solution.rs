@@ -10,8 +10,8 @@ use super::checkpoint::{IntegrationState, PanelObserver, PanelsState, PathsState
 use super::energies::{Energies as Stored, TurnedOver};
 use super::problem::{End, Outcome, Step};
 use super::solve::{PanelOptions, integrated, integrated_from};
+use crate::indentation::assessment;
 use crate::indentation::checkpoint::{Checkpoint, RunState, Watch, foreign};
-use crate::indentation::judgement;
 use crate::indentation::summary::Summary;
 use crate::indentation::{Energies, Event, IndentationProblem, IndentationSolution, IndentationWork, PathPoint, SurfaceFields, Trace};
 use crate::material::Material;
@@ -150,7 +150,7 @@ fn round(
 
 /// The middle of three paths with its bounds.
 fn solution_of(problem: &IndentationProblem, traces: &[Trace], work: IndentationWork) -> Result<IndentationSolution, Refusal> {
-    let compared = judgement::compared(problem, traces, 1, Some(reduction(traces))).ok_or_else(|| not_converged("no path".into()))?;
+    let compared = assessment::compared(problem, traces, 1, Some(reduction(traces))).ok_or_else(|| not_converged("no path".into()))?;
     Ok(IndentationSolution { by_panels: true, ..compared.solution(work) })
 }
 

@@ -78,7 +78,7 @@ impl Window {
         near.flat_map(move |at| [edge - at.place, zone - (at.place - edge)])
     }
 
-    /// The part of the window between segments of the past.
+    /// The part of the window between segments of the path history.
     pub(super) fn between(&mut self, scene: &Scene<'_>, line: &Line, low: f64, high: f64) {
         let (edge, zone) = (scene.edge, scene.zone);
         let mut borders = vec![low, high];

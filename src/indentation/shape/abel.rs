@@ -1,6 +1,6 @@
 //! The exact line profile of one piece of a shape: f = s∫z′/√(s² − r²) dr and f′ = ∫(z′ + r z″)/√(s² − r²) dr.
 //!
-//! Every term of the sums is of one sign where z is convex. Where it is not, terms of f′ cancel, so the sum of their magnitudes is told as well: rounding is
+//! Every term of the sums is of one sign where z is convex. Where it is not, terms of f′ cancel, so the sum of their magnitudes is reported as well: rounding is
 //! relative to it. With r = s − y² the integrand is a polynomial of fourth degree in y over
 //! √(2s − y²), which eight nodes integrate to rounding; far from s the root itself is smooth, and nodes in r do without the roots.
 

@@ -93,7 +93,7 @@ impl TabulatedShape {
         let heights: Vec<f64> = points.iter().map(|point| point.1 / height).collect();
         let rises = |values: &[f64]| values.windows(2).all(|pair| pair[1] > pair[0]);
         if !rises(&knots) || !rises(&heights) {
-            return Err(Refusal::out_of_range("points of a shape", end, "further apart: they cannot be told from one another"));
+            return Err(Refusal::out_of_range("points of a shape", end, "further apart: they cannot be distinguished from one another"));
         }
         let slopes = slopes::rising(&knots, &heights);
         let series = Series::of(Piece::all(&knots, &heights, &slopes))?;

@@ -43,7 +43,7 @@ pub fn load_slopes(
     if problem.path != BranchPath::Loads {
         return Err(Refusal::Undefined { quantity: "the slope of the load", reason: "the branch is not one of loads".into() });
     }
-    // Slopes are taken at the contact that is found: what it is off counts in them, and their bars do not see it.
+    // Slopes are taken at the contact that is found: what it is off counts in them, and their bounds do not see it.
     let steady = problem.steady(0.0, SlidingControl::HalfWidth(half_width));
     let steady = SlidingProblem { accuracy: steady.accuracy.min(CONTACT_ACCURACY), ..steady };
     let contact = match start {

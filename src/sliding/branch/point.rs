@@ -24,7 +24,7 @@ const NARROW: f64 = 0.2;
 /// Largest distance of an accurate point from the coarse curve in scaled unknowns.
 const FARTHEST: f64 = 0.03;
 
-/// The resolution of second variations: signs are told to five digits.
+/// The resolution of second variations: signs are known to five digits.
 pub(super) const VARIATIONS: Resolution = Resolution::Medium;
 
 /// A point of a branch.

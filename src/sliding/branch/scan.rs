@@ -58,7 +58,7 @@ pub struct EveryBranch {
     pub branches: Vec<Branch>,
     /// Contacts that the scan found.
     pub contacts: usize,
-    /// Evaluations of both edge conditions by the scan; those of the branches are told there.
+    /// Evaluations of both edge conditions by the scan; those of the branches are counted there.
     pub scan_evaluations: u64,
     /// Contacts that lie on no branch, with the third unknown (p̄, rate kv, Γ or factor) and why none was followed from there.
     pub left_over: Vec<(ContactAt, f64, Refusal)>,

@@ -27,12 +27,12 @@ pub(super) fn place_of(problem: &BranchProblem, half_width: f64) -> f64 {
 
 /// The unknowns at which a branch begins.
 pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
-    // What there is where no contact is found is told by these very branches.
-    let told_by_branches = !matches!(problem.path, BranchPath::Adhesions(_));
+    // What there is where no contact is found is shown by these very branches.
+    let known_from_branches = !matches!(problem.path, BranchPath::Adhesions(_));
     let mut steady = |rate: f64, control: SlidingControl| -> Result<(PartialValues, f64), Refusal> {
         let problem = at_start(problem, rate, control);
         let mut counters = SlidingWork::default();
-        let found = if told_by_branches {
+        let found = if known_from_branches {
             contact_on_the_curve(material, &problem, &mut counters)
         } else {
             match steady_sliding(material, &problem)? {

@@ -150,7 +150,7 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
         let mut rougher: Option<Integral> = None;
         for (rule, step) in VANISHING_RULES.iter().zip(LOOSE_STEPS) {
             let better = integral(rule, Resolution::Medium, Differences { step, second_order: true }, LOOSE_CONTACT)?;
-            found = rougher.as_ref().map(|rough| (rough.value, told(rough, &better))).filter(|(value, error)| enough(*value, *error));
+            found = rougher.as_ref().map(|rough| (rough.value, off_by(rough, &better))).filter(|(value, error)| enough(*value, *error));
             if found.is_some() {
                 break;
             }
@@ -173,7 +173,7 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
 }
 
 /// What the rougher of two of Lobatto's rules is off.
-fn told(rough: &Integral, better: &Integral) -> f64 {
+fn off_by(rough: &Integral, better: &Integral) -> f64 {
     let highest = odd_power(rough.places.iter().chain(&better.places).copied().collect());
     (1.0 + MARGIN) * (better.value - rough.value).abs() + ODD * highest.abs() + rough.error
 }

@@ -75,7 +75,7 @@ impl Branch {
         self.folds.iter().filter(move |fold| fold.quantity == quantity)
     }
 
-    /// The coarse curve, to some seven digits: a, e, p̄ (of a held half-width: p̄ in place of the parameter as well) and Δ at each of its points.
+    /// The coarse curve, to some seven digits: a, e, p̄ (of a held half-width: p̄ in place of the parasame sums) and Δ at each of its points.
     #[must_use]
     pub fn outline(&self) -> Vec<[f64; 4]> {
         self.curve
@@ -168,9 +168,9 @@ pub(super) fn coarse(
         let (before, turned) = (Cell::new(f64::NAN), Cell::new(false));
         let inside = |point: &Coarse| {
             let slope = point.slope(Quantity::Unknown(2));
-            let past = turned.get();
-            turned.set(past || (before.replace(slope) > 0.0 && slope < 0.0));
-            border(point).is_none() && !(to_snap_in && sign > 0.0 && past)
+            let turned_before = turned.get();
+            turned.set(turned_before || (before.replace(slope) > 0.0 && slope < 0.0));
+            border(point).is_none() && !(to_snap_in && sign > 0.0 && turned_before)
         };
         let Curve { points, end, refused } = follow(&equations, start, toward, sign, &steps, &inside)?;
         work.refused_steps += refused;

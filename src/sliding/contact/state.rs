@@ -171,7 +171,7 @@ impl ContactState {
         }
     }
 
-    /// The sizes of the terms that friction stress and interface work of a wave are sums of, which rounding is relative to; of a parabola none are told.
+    /// The sizes of the terms that friction stress and interface work of a wave are sums of, which rounding is relative to; of a parabola none are reported.
     pub(in crate::sliding) fn harmonic_sizes(&self) -> (f64, f64) {
         let (sin_e, cos_e) = self.edges.eccentricity.sin_cos();
         let (real, imaginary) = self.totals.harmonic_sizes;

@@ -117,8 +117,8 @@ impl EquilibriumCurve {
     fn with_borders(&self, quantity: HeldQuantity, chain: Vec<Point>) -> Vec<Point> {
         let indenter = self.every.indenter();
         self.with_more(&chain, |from, to| {
-            let told = [from, to].iter().all(|point| point.margin(indenter, quantity).abs() > NO_MARGIN);
-            if told { self.divided(from, to, TURN_PLACE, |point| point.margin(indenter, quantity)) } else { None }
+            let resolved = [from, to].iter().all(|point| point.margin(indenter, quantity).abs() > NO_MARGIN);
+            if resolved { self.divided(from, to, TURN_PLACE, |point| point.margin(indenter, quantity)) } else { None }
         })
     }
 
@@ -230,9 +230,9 @@ impl EquilibriumCurve {
             .map(|pair| match pair {
                 [from, to] => {
                     let margin = self.clearer_margin(quantity, from, to);
-                    // Between two turns it is told by what lies between.
-                    let told = if margin.abs() > NO_MARGIN { None } else { self.part_way(from, to, 0.5) };
-                    told.map_or(margin, |middle| middle.margin(self.every.indenter(), quantity)) > 0.0
+                    // Between two turns it is shown by what lies between.
+                    let resolved = if margin.abs() > NO_MARGIN { None } else { self.part_way(from, to, 0.5) };
+                    resolved.map_or(margin, |middle| middle.margin(self.every.indenter(), quantity)) > 0.0
                 }
                 _ => false,
             })

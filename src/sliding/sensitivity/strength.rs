@@ -1,4 +1,4 @@
-//! The sensitivities of what a contact bears: pull-off, snap-in, separation and toughness.
+//! The sensitivities of what a contact carries: pull-off, snap-in, separation and toughness.
 
 use super::linearized::{EVALUATIONS, Linearized, Place, QUANTITIES};
 use super::{Parameter, Sensitivity, compared, logarithmic};

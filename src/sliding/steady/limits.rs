@@ -7,9 +7,8 @@
 //! | half-width | the narrowest, the widest contact | refused; that half-width |
 //! | anything | the longest process zone | refused; that zone over the one asked for |
 //!
-//! A limit where the curve turns is solved as a fold of the branch of loads. One where an edge would be pressed or the faces would meet is closed in on between a contact
-//! that
-//! can exist and one that cannot.
+//! A limit where the curve turns is solved as a fold of the branch of loads. One where an edge would be pressed or the faces would meet is closed in on between a
+//! contact that can exist and one that cannot.
 
 use super::full::full_contact;
 use super::prepared::Prepared;
@@ -101,7 +100,8 @@ pub(super) fn beyond(
         let of = |&(_, place): &(f64, Place)| place;
         let above = segment.along.iter().filter(|(other, _)| *other > value).map(of);
         let below = segment.along.iter().rev().filter(|(other, _)| *other < value).map(of);
-        let limit = |(limit, why): (f64, WhyNot), name| Limit { name, value: Estimate::new(told(quantity, limit), 1e-9), why: Some(why) };
+        let limit =
+            |(limit, why): (f64, WhyNot), name| Limit { name, value: Estimate::new(as_named(quantity, limit), 1e-9), why: Some(why) };
         let found = curve.end_of_possible(quantity, std::iter::once(here).chain(above)).map(|found| limit(found, names.smallest_possible));
         let found = found.or_else(|| {
             curve.end_of_possible(quantity, std::iter::once(here).chain(below)).map(|found| limit(found, names.largest_possible))
@@ -112,13 +112,13 @@ pub(super) fn beyond(
     }
     let limit_of = |end: &SegmentEnd, segment: Option<&StableSegment>, upper: bool| -> Limit {
         let (turn_name, last_name) = if upper { (names.highest, names.largest_possible) } else { (names.lowest, names.smallest_possible) };
-        let rough = Limit { name: turn_name, value: Estimate::new(told(quantity, end.value), 1e-6), why: None };
+        let rough = Limit { name: turn_name, value: Estimate::new(as_named(quantity, end.value), 1e-6), why: None };
         // The faces may meet before the end.
         let places = segment.map(|segment| segment.along.iter().map(|&(_, place)| place));
         let found = places
             .and_then(|places| if upper { curve.end_of_possible(quantity, places.rev()) } else { curve.end_of_possible(quantity, places) });
         if let Some((limit, why)) = found {
-            return Limit { name: last_name, value: Estimate::new(told(quantity, limit), 1e-9), why: Some(why) };
+            return Limit { name: last_name, value: Estimate::new(as_named(quantity, limit), 1e-9), why: Some(why) };
         }
         match end.end {
             End::Turn => {
@@ -137,7 +137,7 @@ pub(super) fn beyond(
             }
             End::Stability => rough,
             End::Last => match curve.beyond_the_end(quantity, end) {
-                Some((limit, why)) => Limit { name: last_name, value: Estimate::new(told(quantity, limit), 1e-9), why: Some(why) },
+                Some((limit, why)) => Limit { name: last_name, value: Estimate::new(as_named(quantity, limit), 1e-9), why: Some(why) },
                 None => Limit { name: last_name, ..rough },
             },
         }
@@ -182,7 +182,7 @@ pub(super) fn beyond(
 }
 
 /// A held value as it is named: Δ for Δ − 1.
-fn told(quantity: HeldQuantity, value: f64) -> f64 {
+fn as_named(quantity: HeldQuantity, value: f64) -> f64 {
     if quantity == HeldQuantity::Penetration { 1.0 + value } else { value }
 }
 

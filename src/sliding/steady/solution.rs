@@ -81,7 +81,7 @@ pub struct PartialValues {
     pub friction_coefficient: Option<Estimate>,
     /// U = ½∫p w.
     pub interface_work: Estimate,
-    /// What adhesion adds; none without it, and where it is so faint that no digit of the load feels it: the other numbers are then those without it, with bars that
+    /// What adhesion adds; none without it, and where it is so weak that no digit of the load feels it: the other numbers are then those without it, with bounds that
     /// hold what it would change.
     pub adhesion: Option<AdhesiveValues>,
 }

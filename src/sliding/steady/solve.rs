@@ -1,15 +1,13 @@
 //! A steady sliding contact: the one that what is held leads to, full contact, or the reason why there is neither.
 //!
-//! The equilibrium curve of the speed ([`crate::sliding::equilibrium`]) knows every contact of a load or penetration and which of them are stable. Of several stable ones
-//! the
-//! narrowest is reached by a load that is raised from nothing, the widest by one that is lowered ([`ReachedBy`]). Where there is none, [`super::limits`] tells what was
-//! passed. Of a
-//! given half-width the contact of the smallest eccentricity is the one.
+//! The equilibrium curve of the speed ([`crate::sliding::equilibrium`]) knows every contact of a load or penetration and which of them are stable. Of several stable
+//! ones the narrowest is reached by a load that is raised from nothing, the widest by one that is lowered ([`ReachedBy`]). Where there is none, [`super::limits`] tells
+//! what was passed. Of a given half-width the contact of the smallest eccentricity is the one.
 
 use super::accuracy::solved;
-use super::faint::{may_be_faint, without_faint_adhesion};
 use super::full::full_contact;
 use super::limits::{closing_pressure, size_of};
+use super::negligible::{may_be_negligible, without_negligible_adhesion};
 use super::nothing::Nothing;
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
@@ -23,7 +21,7 @@ use crate::sliding::edge_balance::SlidingControl;
 use crate::sliding::equilibrium::{Crossing, HeldQuantity, half_widths};
 use std::f64::consts::PI;
 
-/// The resolution of second variations: signs are told to five digits.
+/// The resolution of second variations: signs are known to five digits.
 const VARIATIONS: Resolution = Resolution::Medium;
 /// Half gaps below this need every digit for the signs of second variations.
 const NARROW: f64 = 0.2;
@@ -52,8 +50,7 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Resu
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off, and where an edge would be pressed or the faces would
-/// meet;
-/// [`Refusal::NotConverged`] is a defect.
+/// meet; [`Refusal::NotConverged`] is a defect.
 pub fn steady_sliding_reached_by(
     material: &Material,
     problem: &SlidingProblem<'_>,
@@ -68,7 +65,7 @@ pub fn steady_sliding_reached_by(
     });
     let settled = match &found {
         Ok(SlidingOutcome::Partial(contact)) => contact.certificate.accuracy <= problem.accuracy,
-        Ok(SlidingOutcome::Full(_)) => problem.adhesion.is_none_or(|adhesion| !may_be_faint(material, adhesion)),
+        Ok(SlidingOutcome::Full(_)) => problem.adhesion.is_none_or(|adhesion| !may_be_negligible(material, adhesion)),
         Err(Refusal::OutOfRange { .. } | Refusal::Undefined { .. }) => true,
         Err(_) => false,
     };
@@ -76,7 +73,7 @@ pub fn steady_sliding_reached_by(
         return found;
     }
     let has_edges = matches!(found, Ok(SlidingOutcome::Partial(_)));
-    without_faint_adhesion(has_edges, material, problem, &mut work).map_or(found, Ok)
+    without_negligible_adhesion(has_edges, material, problem, &mut work).map_or(found, Ok)
 }
 
 /// What the equilibrium curve has of what is held.

@@ -11,7 +11,7 @@
 //!
 //! Increments of J between steps weigh the mean of √(…)₊ at both ends. Each trial sums all points over all times: the cost is quadratic in the
 //! steps. A start between two steps is found to first order only, so let the delay be a whole number of them. Shares nothing with
-//! [`viscotack::crack::delayed`], neither the collapse nor the memory; the Python twin is `verification/references/delayed_fracture.py`.
+//! [`viscotack::crack::delayed`], neither the collapse nor the memory; the same in Python is `verification/references/delayed_fracture.py`.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use viscotack::material::Material;

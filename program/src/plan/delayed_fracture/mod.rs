@@ -200,7 +200,7 @@ impl ProblemPlan for DelayedFracturePlan {
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        self.verdicts(rows)
+        self.assessments(rows)
     }
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {

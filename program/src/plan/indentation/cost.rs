@@ -66,7 +66,7 @@ const MOST: f64 = 1e11;
 
 /// Rows of events besides instants and cycles.
 const EVENTS: u64 = 64;
-/// Memory of a point of the path in all integrations that judge each other, and of the line with its trials (bytes).
+/// Memory of a point of the path in all integrations that assess each other, and of the line with its trials (bytes).
 const POINT_OF_THE_PATH: u64 = 900;
 const LINE: u64 = 3 << 20;
 /// Memory of a cycle in all integrations (bytes), and most cycles that are held.

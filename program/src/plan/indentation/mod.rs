@@ -140,7 +140,7 @@ fn liquid_is_possible(indentation: &Indentation, zone: IndentationZone) -> Resul
     }
 }
 
-/// Values of a swept frequency that the cost of a sweep is judged by.
+/// Values of a swept frequency that the cost of a sweep is assessed by.
 const EXAMPLES: usize = 7;
 
 fn examples(scene: &Scene, indentation: &Indentation, scale: &Scale) -> Vec<Timeline> {
@@ -265,7 +265,7 @@ impl ProblemPlan for IndentationPlan {
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        self.verdicts(rows)
+        self.assessments(rows)
     }
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {

@@ -82,14 +82,14 @@ impl SlidingPlan {
                 }
             }
         }
-        self.judge_limit(&mut row);
+        self.assess_limit(&mut row);
         row
     }
 }
 
 impl SlidingPlan {
     /// Flags a limit whose bounds are too wide. Its scales are those of a solid of |E(kv)|, as it has no modulus at rest.
-    fn judge_limit(&self, row: &mut Row) {
+    fn assess_limit(&self, row: &mut Row) {
         if row.status == Status::Inaccurate {
             (row.status, row.reason) = (Status::Solved, None);
         }

@@ -1,6 +1,5 @@
 //! The plan of a sliding contact: which contacts, at which speed, under which load, with which fields.
 
-mod apart;
 mod branch_figures;
 mod branch_rows;
 mod branches;
@@ -13,6 +12,7 @@ mod extras;
 mod fields;
 mod figures;
 mod growing;
+mod isolated;
 mod liquid;
 mod scale;
 mod solve;
@@ -277,7 +277,7 @@ impl ProblemPlan for SlidingPlan {
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        self.verdicts(rows)
+        self.assessments(rows)
     }
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {

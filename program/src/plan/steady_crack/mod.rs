@@ -260,7 +260,7 @@ impl ProblemPlan for SteadyCrackPlan {
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        self.verdicts(rows)
+        self.assessments(rows)
     }
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {

@@ -2,12 +2,10 @@
 //!
 //! # What it does
 //! The trajectory is a chain of pieces, each the parabola in time that starts with the speed at its start and whose end satisfies the closure to
-//! rounding; each piece's memory is integrated exactly. While the tip runs it is carried from one line of a grid of m lines per process zone to the next, and the unknown
-//! is the
-//! time (t(x) is smooth where x(t) starts with a jump of speed; and the back of the window then lies on the grid as well). The grid starts where growth
+//! rounding; each piece's memory is integrated exactly. While the tip runs it is carried from one line of a grid of m lines per process zone to the next, and the
+//! unknown is the time (t(x) is smooth where x(t) starts with a jump of speed; and the back of the window then lies on the grid as well). The grid starts where growth
 //! or a new segment of load starts, graded from the shortest time (`grid`), so the kink one process zone later is a line. Where the load is slow in coming, or the tip
-//! slows
-//! down, the time step is bounded (m/2 steps in a segment of load) and the unknown is the place.
+//! slows down, the time step is bounded (m/2 steps in a segment of load) and the unknown is the place.
 //!
 //! # How good
 //! Third order in 1/m with a coefficient that does not depend on m: all that happens is a node of every run, and no run takes a start, an arrest or a kink in one
@@ -18,9 +16,8 @@
 //!
 //! # What happens, and what is only rounding
 //! No event is inferred from a residual or from an equality of numbers. A line counts as reached from a thousandth of its distance on (`grid`); the tip stops where the
-//! speed is not above zero, by the held memory too, which decides at rest (else an arrest would be undone at once); only a load that jumps moves the tip at once; a step
-//! in
-//! which the closure gains less than its rounding goes by the speed.
+//! speed is not above zero, by the held memory too, which decides at rest (else an arrest would be undone at once); only a load that jumps moves the tip at once; a
+//! step in which the closure gains less than its rounding goes by the speed.
 
 mod bracket;
 mod glide;
@@ -85,7 +82,7 @@ pub(crate) struct Stepper {
     /// Lines passed since the motion was last disturbed.
     undisturbed: u32,
     /// What is not known of place and speed after quasi-steady growth.
-    doubts: [f64; 2],
+    uncertainties: [f64; 2],
     moving: bool,
     /// No step of growth has been taken since it began, or since the load changed its slope.
     first_step: bool,
@@ -263,7 +260,7 @@ impl Stepper {
             quasi_steady: QuasiSteady::new(terms.clone(), zone),
             memory: Memory::new(terms, zone.at(0.0)),
             undisturbed: 0,
-            doubts: [0.0; 2],
+            uncertainties: [0.0; 2],
             moving: false,
             first_step: false,
             longest_advance: f64::INFINITY,

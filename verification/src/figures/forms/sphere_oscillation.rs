@@ -31,7 +31,7 @@ pub(in crate::figures) struct SphereOscillation {
     amplitude: f64,
     /// ωρ at the start and at the end; none: no oscillation.
     frequencies: Option<[f64; 2]>,
-    /// Of one integration, as of [`integrate`]; no second integration judges it.
+    /// Of one integration, as of [`integrate`]; no second integration assesses it.
     tolerance: f64,
 }
 

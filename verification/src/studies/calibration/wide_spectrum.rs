@@ -1,9 +1,9 @@
-//! Bars of spheres of solids with up to twenty times over up to twelve decades, at accuracies of 1e-3 to 1e-6.
+//! Bounds of spheres of solids with up to twenty times over up to twelve decades, at accuracies of 1e-3 to 1e-6.
 //!
-//! An edge that lets go of such a solid runs away through all of its times, and one that creeps has layers behind it that no panel resolves.
+//! An edge that lets go of such a solid accelerates through all of its times, and one that creeps has layers behind it that no panel resolves.
 
 use super::super::draw::Draw;
-use super::tally::Judged;
+use super::tally::Assessed;
 use super::{SEED, sphere};
 use std::f64::consts::PI;
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Profile, run};
@@ -53,10 +53,10 @@ pub fn problem(scene: u64, accuracy: f64) -> Result<(Material, IndentationProble
     drawn(&mut Draw::of(SEED ^ 6, scene), accuracy)
 }
 
-/// A scene, judged.
+/// A scene, assessed.
 #[must_use]
-pub fn judged(scene: u64) -> Judged {
-    sphere::judged_of(Draw::of(SEED ^ 6, scene), scene, &ACCURACIES, drawn)
+pub fn assessed(scene: u64) -> Assessed {
+    sphere::assessed_of(Draw::of(SEED ^ 6, scene), scene, &ACCURACIES, drawn)
 }
 
 /// Evaluations of the edge condition at 1e-3 and at 1e-9.

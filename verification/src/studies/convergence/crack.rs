@@ -128,7 +128,7 @@ fn computed(effort: Effort) -> Result<(Panel, Check), Refusal> {
                     order: 3.0,
                     least: 2.7,
                     most: 3.4,
-                    reason: "the run with 4 times the lines, to which the other three are the error bar",
+                    reason: "the run with 4 times the lines, to which the other three are the error bound",
                 },
             },
             true,
@@ -174,8 +174,8 @@ fn computed(effort: Effort) -> Result<(Panel, Check), Refusal> {
         headline: false,
     };
     let check = Check::new(
-        "error bars of growth hold against the closed form",
-        "no place off by more than its bar, at any number of lines",
+        "error bounds of growth hold against the closed form",
+        "no place off by more than its bound, at any number of lines",
         format!("{outside} outside"),
         outside == 0,
     );

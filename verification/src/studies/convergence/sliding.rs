@@ -209,7 +209,7 @@ fn computed(effort: Effort) -> Result<([Panel; 2], Check), Refusal> {
     };
     let levels = Check::new(
         "levels of resolution are as good as they say",
-        "at most 1e-4, 1e-7, 1e-10 for coarse, medium, fine: error bars and stopping rest on it",
+        "at most 1e-4, 1e-7, 1e-10 for coarse, medium, fine: error bounds and stopping rest on it",
         kept.iter().map(|(found, _)| format!("{found:.1e}")).collect::<Vec<_>>().join(", "),
         kept.iter().all(|(found, promised)| found <= promised),
     );

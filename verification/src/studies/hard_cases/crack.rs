@@ -20,7 +20,7 @@ fn constant(work_of_adhesion: f64) -> Interface {
     Interface { work_of_adhesion, process_zone: ProcessZone::Constant { length: ZONE }, body: CrackBody::AgainstRigid }
 }
 
-fn told(state: &SteadyState) -> Found {
+fn reported(state: &SteadyState) -> Found {
     let found = Found::default().with("v", state.speed).with("D", state.drive);
     match state.energy_release_rate_ratio {
         Some(ratio) => found.with("G/Δγ", ratio),
@@ -44,12 +44,12 @@ fn one_term(beta: f64, motion: Motion, z: f64) -> f64 {
 /// A solid of one term of τ = 1 s and E0 = 1, at v = δ/(zτ).
 fn at(beta: f64, motion: Motion, z: f64) -> Result<Found, Refusal> {
     let material = Material::standard_solid(1.0, beta, 1.0)?;
-    Ok(told(&at_speed(&VirtualWork::new(&material, motion, constant(1.0))?, ZONE / z, TOLERANCE)?))
+    Ok(reported(&at_speed(&VirtualWork::new(&material, motion, constant(1.0))?, ZONE / z, TOLERANCE)?))
 }
 
 fn under(beta: f64, motion: Motion, drive: f64) -> Result<Found, Refusal> {
     let material = Material::standard_solid(1.0, beta, 1.0)?;
-    Ok(told(&at_drive(&VirtualWork::new(&material, motion, constant(1.0))?, drive, TOLERANCE)?))
+    Ok(reported(&at_drive(&VirtualWork::new(&material, motion, constant(1.0))?, drive, TOLERANCE)?))
 }
 
 /// The cases.
@@ -95,7 +95,7 @@ fn limits() -> Vec<HardCase> {
             vec![near("G/Δγ", 1.0, 4e-15)],
             || {
                 let material = Material::standard_solid(1.0, 1e6, 1.0)?;
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 0.0, TOLERANCE)?))
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 0.0, TOLERANCE)?))
             },
         ),
         HardCase::new(
@@ -106,7 +106,7 @@ fn limits() -> Vec<HardCase> {
             vec![near("G/Δγ", 1e6, 4e-15)],
             || {
                 let material = Material::standard_solid(1.0, 1e6, 1.0)?;
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, f64::INFINITY, TOLERANCE)?))
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, f64::INFINITY, TOLERANCE)?))
             },
         ),
         HardCase::new(
@@ -173,7 +173,7 @@ fn limits() -> Vec<HardCase> {
             vec![Expected::Refused(Kind::Undefined)],
             || {
                 let material = Material::elastic(1.0)?;
-                Ok(told(&at_drive(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 2.0, TOLERANCE)?))
+                Ok(reported(&at_drive(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 2.0, TOLERANCE)?))
             },
         ),
         HardCase::new(
@@ -206,7 +206,7 @@ fn spectra() -> Vec<HardCase> {
             vec![near("D", expected, 1e-9)],
             move || {
                 let material = spread(1e6, 20, 20.0, 1e8)?;
-                Ok(told(&at_speed(&VirtualWork::new(&material, motion, constant(1.0))?, ZONE / time, TOLERANCE)?))
+                Ok(reported(&at_speed(&VirtualWork::new(&material, motion, constant(1.0))?, ZONE / time, TOLERANCE)?))
             },
         ));
     }
@@ -219,7 +219,7 @@ fn spectra() -> Vec<HardCase> {
         || {
             let term = |retardation_time| CreepTerm { compliance: 0.45, retardation_time };
             let material = Material::from_creep(10.0, &[term(1.0), term(1.0 + 1e-15)], None)?;
-            Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, ZONE, TOLERANCE)?))
+            Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, ZONE, TOLERANCE)?))
         },
     ));
     cases.push(cliff());
@@ -238,7 +238,7 @@ fn spectra() -> Vec<HardCase> {
                 let material = Material::standard_solid(1.0, fast, 1.0)?;
                 let interface = Interface { process_zone: ProcessZone::Growing { cohesive_stress: 1.0, factor: 1.0 }, ..constant(1.0) };
                 let speed = 1e16;
-                Ok(told(&if persson {
+                Ok(reported(&if persson {
                     at_speed(&PerssonBrener::new(&material, motion, interface)?, speed, TOLERANCE)?
                 } else {
                     at_speed(&CohesiveZone::new(&material, motion, 1.0, 1.0, CrackBody::AgainstRigid)?, speed, TOLERANCE)?
@@ -268,7 +268,7 @@ fn cliff() -> HardCase {
             // Given by its relaxation term: the large parts split exactly.
             let term = RelaxationTerm { modulus: beta - 1.0, relaxation_time: 1.0 / beta };
             let material = Material::from_relaxation(1.0, &[term])?;
-            Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Closing, interface)?, speed, TOLERANCE)?))
+            Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Closing, interface)?, speed, TOLERANCE)?))
         },
     )
 }
@@ -287,7 +287,7 @@ fn extremes() -> Vec<HardCase> {
                 let material = Material::standard_solid(modulus, 100.0 * modulus, time)?;
                 let interface =
                     Interface { work_of_adhesion: work, process_zone: ProcessZone::Constant { length }, body: CrackBody::TwoHalves };
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, length / time, TOLERANCE)?))
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, length / time, TOLERANCE)?))
             },
         )
     };
@@ -305,18 +305,18 @@ fn extremes() -> Vec<HardCase> {
             || {
                 let material = Material::standard_solid(1.0, 100.0, 1.0)?;
                 let interface = Interface { process_zone: ProcessZone::Constant { length: f64::from_bits(1) }, ..constant(1.0) };
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, 1.0, TOLERANCE)?))
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, 1.0, TOLERANCE)?))
             },
         ),
         HardCase::new(
             PROBLEM,
             "a viscous material at rest",
-            "it bears no load at rest",
+            "it carries no load at rest",
             "no energy release rate far from the tip",
             vec![Expected::Refused(Kind::Undefined)],
             || {
                 let material = Material::from_creep(1.0, &[CreepTerm { compliance: 1.0, retardation_time: 1.0 }], Some(10.0))?;
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 0.0, TOLERANCE)?))
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 0.0, TOLERANCE)?))
             },
         ),
         HardCase::new(
@@ -328,7 +328,7 @@ fn extremes() -> Vec<HardCase> {
             || {
                 let material = Material::standard_solid(1.0, 100.0, 1.0)?;
                 let interface = Interface { process_zone: ProcessZone::Schapery { cohesive_stress: 1.0, factor: 1.0 }, ..constant(1.0) };
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, 1.0, TOLERANCE)?))
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, 1.0, TOLERANCE)?))
             },
         ),
     ]

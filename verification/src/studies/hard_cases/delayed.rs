@@ -335,6 +335,6 @@ fn motion() -> Vec<HardCase> {
 
 fn last(found: &Trajectory) -> Found {
     let sample = found.samples.last();
-    let told = sample.and_then(|sample| Some((sample.growth?, sample.speed?)));
-    told.map_or_else(|| Found::default().is("no growth"), |(place, speed)| Found::default().with("place", place).with("speed", speed))
+    let reported = sample.and_then(|sample| Some((sample.growth?, sample.speed?)));
+    reported.map_or_else(|| Found::default().is("no growth"), |(place, speed)| Found::default().with("place", place).with("speed", speed))
 }

@@ -1,8 +1,7 @@
 //! Sliding contacts on, just before and just after folds; wrong roots; scenes with more than one contact.
 //!
-//! Folds of elastic waves are Johnson's; those of viscoelastic ones come from the fold equations of a branch ([`viscotack::sliding::branch`]), or are the largest load of
-//! contacts of
-//! given half-widths. All of these are found before the case runs.
+//! Folds of elastic waves are Johnson's; those of viscoelastic ones come from the fold equations of a branch ([`viscotack::sliding::branch`]), or are the largest load
+//! of contacts of given half-widths. All of these are found before the case runs.
 
 use super::case::{Expected, Found, HardCase, near};
 use super::sliding::solved;

@@ -47,7 +47,7 @@ const RECIPROCAL: &str = "s²J̄(s)R̄(s) = 1 at any s (Gross 1953)";
 #[must_use]
 pub fn cases() -> Vec<HardCase> {
     let zero = |tolerance: f64| vec![Expected::Value { quantity: "largest defect of reciprocity", value: 0.0, tolerance }];
-    let told = |material: &Material| Ok(Found::default().with("largest defect of reciprocity", worst_reciprocity(material)));
+    let reported = |material: &Material| Ok(Found::default().with("largest defect of reciprocity", worst_reciprocity(material)));
     vec![
         HardCase::new(
             PROBLEM,
@@ -55,7 +55,7 @@ pub fn cases() -> Vec<HardCase> {
             "as polynomials the two series lose all digits",
             RECIPROCAL,
             zero(1e-12),
-            move || told(&spread(1e6, 20, 20.0, 1e10)?),
+            move || reported(&spread(1e6, 20, 20.0, 1e10)?),
         ),
         HardCase::new(
             PROBLEM,
@@ -65,7 +65,7 @@ pub fn cases() -> Vec<HardCase> {
             zero(1e-12),
             move || {
                 let term = |retardation_time| CreepTerm { compliance: 0.45, retardation_time };
-                told(&Material::from_creep(10.0, &[term(1.0), term(1.0 + 4.0 * f64::EPSILON)], None)?)
+                reported(&Material::from_creep(10.0, &[term(1.0), term(1.0 + 4.0 * f64::EPSILON)], None)?)
             },
         ),
         HardCase::new(
@@ -88,7 +88,7 @@ pub fn cases() -> Vec<HardCase> {
             zero(1e-13),
             move || {
                 let term = |compliance, retardation_time| CreepTerm { compliance, retardation_time };
-                told(&Material::from_creep(10.0, &[term(0.9, 1.0), term(1e-18, 1e-3)], None)?)
+                reported(&Material::from_creep(10.0, &[term(0.9, 1.0), term(1e-18, 1e-3)], None)?)
             },
         ),
         HardCase::new(
@@ -100,7 +100,7 @@ pub fn cases() -> Vec<HardCase> {
             move || {
                 let terms: Vec<RelaxationTerm> =
                     (0..12).map(|index| RelaxationTerm { modulus: 1.0 + f64::from(index), relaxation_time: 10f64.powi(-index) }).collect();
-                told(&Material::from_relaxation(0.0, &terms)?)
+                reported(&Material::from_relaxation(0.0, &terms)?)
             },
         ),
         HardCase::new(

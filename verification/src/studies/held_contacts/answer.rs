@@ -36,15 +36,15 @@ pub fn answer(material: &Material, problem: &SlidingProblem<'_>, reached: Reache
     let by = if reached == Reached::Loading { ReachedBy::Loading } else { ReachedBy::Unloading };
     match steady_sliding_reached_by(material, problem, by) {
         Ok(SlidingOutcome::Partial(found)) => {
-            let told = |stability: Stability| match stability {
+            let reported = |stability: Stability| match stability {
                 Stability::Stable => Some(true),
                 Stability::Unstable => Some(false),
                 Stability::Marginal => None,
             };
             let wave = problem.indenter == Indenter::Wave;
             let stable = found.stability.filter(|_| problem.adhesion.is_some()).map_or([None; 3], |stability| {
-                let of_wave = |stability: Stability| if wave { told(stability) } else { None };
-                [told(stability.under_load()), of_wave(stability.under_penetration()), of_wave(stability.in_frame(FRAME))]
+                let of_wave = |stability: Stability| if wave { reported(stability) } else { None };
+                [reported(stability.under_load()), of_wave(stability.under_penetration()), of_wave(stability.in_frame(FRAME))]
             });
             Answer::Contact { values: Box::new(found.values), stable, others: Some(found.others) }
         }

@@ -58,7 +58,7 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
         Column::words("case"),
         Column::new("points of the table", "1"),
         Column::new("largest error of the place", "δ"),
-        Column::new("largest bar of the place", "δ"),
+        Column::new("largest bound of the place", "δ"),
     ];
     let mut table = Table::new(
         "crack",

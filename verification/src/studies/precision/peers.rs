@@ -13,7 +13,7 @@ use viscotack::refusal::Refusal;
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, steady_sliding};
 
 /// Diagrams of the other sections, which draw their own stored runs.
-const ELSEWHERE: [&str; 6] =
+const DRAWN_BY_OTHERS: [&str; 6] =
     ["sliding_one_term", "sliding_twelve_terms", "sphere_retraction", "delayed_fracture", "steady_crack_opening", "steady_crack_closing"];
 
 /// One of this program's runs: time, error.
@@ -100,14 +100,14 @@ pub(in crate::studies) fn study(_: Effort, progress: &Progress) -> Section {
     let mut section = Section::new("precision_peers", "Work and precision: other programs");
     let mut problems: Vec<String> = Vec::new();
     for run in stored_runs() {
-        if !problems.contains(&run.problem) && !ELSEWHERE.contains(&run.problem.as_str()) {
+        if !problems.contains(&run.problem) && !DRAWN_BY_OTHERS.contains(&run.problem.as_str()) {
             problems.push(run.problem);
         }
     }
     progress.expect(1);
     section.say(
         "Programs that are not part of this one were run once, on the machine and day that the tables name; their runs are drawn hollow. Their times are those of another \
-         day, and no verdict is drawn from them. Tamaas steps a generalised Maxwell half-space, but has no adhesion with it, so on the adhesive sliding wave it has no run.",
+         day, and no result is drawn from them. Tamaas steps a generalised Maxwell half-space, but has no adhesion with it, so on the adhesive sliding wave it has no run.",
     );
     for problem in problems {
         let (caption, error, methods) = known(&problem);

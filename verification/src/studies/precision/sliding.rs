@@ -221,7 +221,7 @@ pub(in crate::studies) fn study(effort: Effort, progress: &Progress) -> Section 
     section.say(
         "Every method finds both edges of the same contact with the same Newton's method. The rivals start one percent off; this program also without any start, by its path in \
          speed. An evaluation of the rivals is three dense systems of N equations, one of this program three systems of as many equations as the solid has terms. This program \
-         gives an error bar with each number, the rivals give none.",
+         gives an error bound with each number, the rivals give none.",
     );
     let meshes = effort.choose(vec![25, 50, 100], vec![25, 50, 100, 200, 400]);
     let cases = [

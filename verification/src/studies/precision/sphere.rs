@@ -49,7 +49,7 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
         .collect();
     let mut methods = vec![
         Method { name: "this program".into(), own: true, samples: own },
-        Method { name: "one integration, no bars".into(), own: true, samples: single },
+        Method { name: "one integration, no bounds".into(), own: true, samples: single },
     ];
     for (name, keep, meshes) in [
         ("annuli, factors kept", true, effort.choose(vec![2_usize, 4, 8], vec![2, 4, 8, 16, 32])),
@@ -92,7 +92,7 @@ pub(in crate::studies) fn study(effort: Effort, progress: &Progress) -> Section 
     let mut section = Section::new("precision_sphere", "Work and precision: the sphere");
     progress.expect(1);
     section.say(
-        "This program tells the numbers of an integration that two others judge, ten and a hundred times tighter: the time is of all three; a single integration gives no error bar, as the rival gives none. The annuli are the thesis's scheme, each trial edge a dense \
+        "This program tells the numbers of an integration that two others assess, ten and a hundred times tighter: the time is of all three; a single integration gives no error bound, as the rival gives none. The annuli are the thesis's scheme, each trial edge a dense \
          system of its own as printed, or with the factors of an edge kept. An evaluation of theirs costs the square of the number of annuli at least.",
     );
     match diagram(effort) {

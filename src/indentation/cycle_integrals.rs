@@ -22,7 +22,7 @@ const IN_A_ROW: u32 = 2;
 
 /// Adds up one cycle after the other.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct Meter {
+pub(super) struct CycleIntegrals {
     segment: usize,
     oscillation: Oscillation,
     duration: f64,
@@ -101,7 +101,7 @@ impl Course {
     }
 }
 
-impl Meter {
+impl CycleIntegrals {
     pub(super) fn new(
         segment: usize,
         (oscillation, duration): (Oscillation, f64),
@@ -267,7 +267,7 @@ impl Meter {
     }
 }
 
-impl Meter {
+impl CycleIntegrals {
     /// By how much the cycles differ; none where the frequency itself goes up or down.
     pub(super) fn spread(&self) -> Option<Spread> {
         self.spread.filter(|_| self.oscillation.frequency.to_bits() == self.oscillation.end_frequency.to_bits())

@@ -1,13 +1,13 @@
 //! Source: this crate's claim that every reported number of a history carries an honest error.
 //!
-//! Goal: bars that cover, and that are not a hundred times too wide.
+//! Goal: bounds that cover, and that are not a hundred times too wide.
 //!
 //! Parameters: random solids of 1 to 4 terms, β 1.5 to 300, speeds over eight decades about the relaxation times, process zones 1e-3 to 6e-2 of R, histories of
 //! approach, dwell, retraction, from an untouched or a relaxed start, under penetration, force or frame; Pa, m, s and random units.
 //!
 //! Oracle: the same history integrated 1000 times tighter or more. The integration has other oracles elsewhere (closed forms, a dense scheme, independent steppers).
 //!
-//! Tolerance: the accuracy asked for, always; the bar itself, always; the median bar at most ten times the error, the 95th percentile at most a hundred times.
+//! Tolerance: the accuracy asked for, always; the bound itself, always; the median bound at most ten times the error, the 95th percentile at most a hundred times.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
@@ -54,7 +54,7 @@ fn problem(random: &mut Uniform, accuracy: f64) -> (Material, IndentationProblem
 }
 
 #[test]
-fn bars_cover_and_are_not_wide() {
+fn bounds_cover_and_are_not_wide() {
     let mut random = Uniform::new();
     let (mut inside, mut outside, mut reached) = (0, 0, 0);
     let mut ratios: Vec<f64> = Vec::new();
@@ -98,7 +98,7 @@ fn bars_cover_and_are_not_wide() {
     ratios.sort_by(f64::total_cmp);
     let at = |share: f64| ratios[(share * (ratios.len() - 1) as f64) as usize];
     println!(
-        "inside {inside}, outside {outside}, reached {reached}, refused {refused}; bar over error: 5 % {:.2}, median {:.1}, 95 % {:.1}, of {}",
+        "inside {inside}, outside {outside}, reached {reached}, refused {refused}; bound over error: 5 % {:.2}, median {:.1}, 95 % {:.1}, of {}",
         at(0.05),
         at(0.5),
         at(0.95),
