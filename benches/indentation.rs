@@ -7,7 +7,7 @@
 use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, integrate, run};
 use viscotack::material::RelaxationTerm;
 use viscotack_verification::rivals::annulus_indentation::{AnnulusScheme, AnnulusStart};
@@ -50,14 +50,14 @@ fn cycle(accuracy: f64) -> IndentationProblem {
 }
 
 /// n terms, a decade apart, that stiffen tenfold together; one of them at the reference time.
-fn terms(count: i32) -> Material {
+fn terms(count: i32) -> PlaneMaterial {
     let term =
         |index: i32| RelaxationTerm { modulus: 9.0 / f64::from(count), relaxation_time: 10.0_f64.powf(0.5 * f64::from(count / 2 - index)) };
-    Material::from_relaxation(1.0, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
+    PlaneMaterial::from_relaxation(1.0, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
 }
 
 fn main() {
-    let rubber = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let rubber = PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap();
     println!("approach and retraction at V·ρ/R = {SPEED:e}");
     let mut core = Vec::new();
     let mut exact = f64::NAN;

@@ -13,7 +13,7 @@ use super::solution::{EventKind, Trace};
 use super::springs::Springs;
 use super::start::{size_of, started};
 use super::step_sizes::towards;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
 
@@ -41,7 +41,7 @@ const PARTS: u32 = 16;
 /// # Errors
 /// [`Refusal::OutOfRange`] for numbers out of range; [`Refusal::Undefined`] for a viscous material or a start that a control does not have;
 /// [`Refusal::NoSuchState`] for a start without equilibrium, or a contact beyond the last point of a table; [`Refusal::NotConverged`].
-pub fn integrate(material: &Material, problem: &IndentationProblem, tolerance: f64) -> Result<Trace, Refusal> {
+pub fn integrate(material: &PlaneMaterial, problem: &IndentationProblem, tolerance: f64) -> Result<Trace, Refusal> {
     if problem.is_without_steps() {
         problem.checked()?;
         return super::adhesiveless::course(material, problem, crate::refusal::require_positive("tolerance", tolerance)?);
@@ -58,7 +58,7 @@ pub(super) struct Guide<'a> {
 
 /// The same with segments that end early: which, and how long they take (s).
 pub(super) fn integrate_to(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     tolerance: f64,
     stops: &[(usize, f64)],

@@ -20,7 +20,7 @@
 //! | D(s) | gap factor W − (Δ − f) outside the contact | m |
 //! | C | work of the interface stresses in the process zone δ, per area (Eq 4.9) | J/m² |
 //!
-//! Every modulus is E* = E/(1 − ν²): make the material with [`Material::stiffened`](crate::material::Material::stiffened). The surface follows as
+//! Every modulus is E* = E/(1 − ν²): a [`PlaneMaterial`](crate::material::PlaneMaterial). The surface follows as
 //! w(r) = (2/π)∫₀^r W/√(r² − s²) ds and p(r) = (1/π)[Q(a)/√(a² − r²) − ∫_r^a Q′/√(s² − r²) ds], for ANY history of the edge, re-advancing too:
 //! no matrix and no integral equation. Any coherent units.
 //!

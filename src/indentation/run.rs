@@ -10,7 +10,7 @@ use super::integrator::{Guide, integrate_to};
 use super::problem::IndentationProblem;
 use super::profile::Profile;
 use super::solution::{IndentationSolution, IndentationWork, PathPoint, Trace};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 
 /// Tolerance of the first integration, over the accuracy: nearly all integrations err by less than a hundredth of their tolerance, and bounds are some four times the
@@ -31,7 +31,7 @@ const TIGHTEST: f64 = 1e-9;
 ///
 /// # Errors
 /// Every refusal of [`integrate`](crate::indentation::integrate).
-pub fn run(material: &Material, problem: &IndentationProblem) -> Result<IndentationSolution, Refusal> {
+pub fn run(material: &PlaneMaterial, problem: &IndentationProblem) -> Result<IndentationSolution, Refusal> {
     run_watched(material, problem, None, None)
 }
 
@@ -40,7 +40,7 @@ pub fn run(material: &Material, problem: &IndentationProblem) -> Result<Indentat
 /// # Errors
 /// Every refusal of [`integrate`](super::integrate); [`Refusal::Undefined`] for a checkpoint of something else.
 pub fn run_watched(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     from: Option<Checkpoint>,
     watch: Option<&dyn Watch>,
@@ -113,7 +113,7 @@ pub fn run_watched(
 /// # Errors
 /// Every refusal of [`run`].
 pub fn surface_of(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     solved: &IndentationSolution,
     time: f64,

@@ -9,7 +9,7 @@
 //! while it is free, so that each update costs n, and only a point that the edge passes is mapped (n²). The maps are partial fractions of the
 //! two transfer functions; the times interlace, so no denominator vanishes. Both states are continuous when the edge passes; only Q and W jump.
 
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::special::exponential_mean::exponential_mean_complement_with;
 
@@ -46,7 +46,7 @@ impl Springs {
     ///
     /// # Errors
     /// [`Refusal::Undefined`] for a viscous material (relaxed modulus 0).
-    pub fn new(material: &Material) -> Result<Self, Refusal> {
+    pub fn new(material: &PlaneMaterial) -> Result<Self, Refusal> {
         let relaxed = material.solid_modulus("the relaxed contact")?;
         let creep: Vec<_> = material.creep_terms().iter().map(|term| (term.compliance, term.retardation_time)).collect();
         let relaxation: Vec<_> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();

@@ -14,7 +14,7 @@
 //! A material is given by either series and holds both; the other one is made by [`conversion`] when the material is made. Terms are
 //! sorted from the longest time to the shortest, terms of exactly equal times are merged, and terms of zero strength are dropped, so
 //! equal materials are equal values. An elastic material has no term. The moduli are whatever modulus the problem is stated in
-//! (Young's, or a plane modulus after [`Material::stiffened`]); a constant Poisson ratio belongs to the body, not to the material.
+//! (Young's, shear or bulk); contacts and cracks take a [`PlaneMaterial`]. A constant Poisson ratio belongs to the body, not to the material.
 //!
 //! The rates interlace, 0 < 1/τ_1 < 1/ρ_1 < 1/τ_2 < … (thesis Sec 2.1; Gross, 1953), so a relaxation time is always shorter than the
 //! retardation time it belongs to: for one term ρ = τ E0/E∞.
@@ -24,11 +24,13 @@ mod complex_modulus;
 pub mod conversion;
 pub mod fit;
 pub mod isotropic;
+mod plane;
 mod running_mean;
 pub mod shift;
 mod time_functions;
 
 pub use complex_modulus::ComplexModulus;
+pub use plane::PlaneMaterial;
 pub use running_mean::WeightedMean;
 
 use crate::refusal::{Refusal, require_non_negative, require_positive};
@@ -277,7 +279,7 @@ impl Material {
         self.relaxation_terms.first().map(|term| term.relaxation_time)
     }
 
-    /// The same material with every modulus multiplied by `factor`: E → E/(1 − ν²) of a plane-strain problem, for instance.
+    /// The same material with every modulus multiplied by `factor`.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] unless the factor is positive and finite.

@@ -23,7 +23,7 @@ use std::f64::consts::PI;
 use viscotack::closure::{EdgeFields, process_zone_work};
 use viscotack::crack::CrackBody;
 use viscotack::crack::near_tip::{ClosingTip, OpeningTip};
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 
 /// Two fields given by functions of the distance to the edge.
 struct Fields<T: Fn(f64) -> f64, G: Fn(f64) -> f64>(T, G);
@@ -50,7 +50,7 @@ fn about(tension: impl Fn(f64) -> f64, gap: impl Fn(f64) -> f64, zone: f64) -> f
 }
 
 /// A material, a body, a zone length and a speed at which it is crossed in `crossing` times the middle time of the material.
-fn case(seed: u64, crossing: f64, two_halves: bool) -> (Material, CrackBody, f64, f64) {
+fn case(seed: u64, crossing: f64, two_halves: bool) -> (PlaneMaterial, CrackBody, f64, f64) {
     let mut random = Random(seed);
     let material = random_solid(&mut random, 20, 12.0, 1e6);
     let middle = (material.longest_retardation_time().unwrap() * material.relaxation_terms().last().unwrap().relaxation_time).sqrt();
@@ -185,7 +185,7 @@ fn evaluations_are_counted_and_pinned() {
     assert_eq!(work.evaluations, count.get(), "every pair of evaluations is counted, and each is made once");
     println!("square-root fields: {} evaluations", work.evaluations);
     assert_eq!(work.evaluations, 439);
-    let material = Material::standard_solid(1.3e6, 1.3e9, 0.017).unwrap();
+    let material = PlaneMaterial::standard_solid(1.3e6, 1.3e9, 0.017).unwrap();
     let mut counts = Vec::new();
     for exponent in -6..=6 {
         let speed = 1e-6 / (0.017 * 10f64.powi(exponent));

@@ -20,7 +20,7 @@ use support::{Row, reference_materials, reference_rows};
 use viscotack::crack::near_tip::{ClosingTip, OpeningTip};
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
-use viscotack::{Estimate, Material};
+use viscotack::{Estimate, PlaneMaterial};
 
 const TOLERANCE: f64 = 1e-13;
 
@@ -35,7 +35,7 @@ fn interface(row: &Row) -> Interface {
 }
 
 /// The value with its error bound, and how many times the relative error of the speed enters its own.
-fn solved(row: &Row, material: &Material) -> (Estimate, f64) {
+fn solved(row: &Row, material: &PlaneMaterial) -> (Estimate, f64) {
     let motion = if row.text("motion") == "opening" { Motion::Opening } else { Motion::Closing };
     match row.text("quantity") {
         "mean_creep" => {

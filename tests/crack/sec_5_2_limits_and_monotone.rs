@@ -26,7 +26,7 @@ use viscotack::crack::cohesive_zone::CohesiveZone;
 use viscotack::crack::persson_brener::PerssonBrener;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve, at_drive, at_speed};
-use viscotack::material::{Material, RelaxationTerm};
+use viscotack::material::{PlaneMaterial, RelaxationTerm};
 use viscotack::{Refusal, crack};
 
 /// The speed at which the relaxed zone is crossed in the middle time of the material.
@@ -201,7 +201,7 @@ fn speed_and_load_are_inverse_within_their_bounds() {
 
 #[test]
 fn loads_beyond_the_limits_are_refused_with_the_limit() {
-    let material = Material::standard_solid(2.3e5, 4.6e7, 0.031).unwrap();
+    let material = PlaneMaterial::standard_solid(2.3e5, 4.6e7, 0.031).unwrap();
     for motion in MOTIONS {
         for (name, curve) in theories(&material, motion) {
             for ratio in [0.5, 1.0 - 1e-9, 200.0, 200.0 * (1.0 + 1e-9), 1e9] {
@@ -362,7 +362,7 @@ fn metres_and_millimetres_agree() {
 
 #[test]
 fn elastic_cracks_know_no_speed() {
-    let material = Material::elastic(7.3e5).unwrap();
+    let material = PlaneMaterial::elastic(7.3e5).unwrap();
     for motion in MOTIONS {
         for (name, curve) in theories(&material, motion) {
             for speed in [0.0, 1e-12, 1.0, 1e9, f64::INFINITY] {
@@ -377,8 +377,8 @@ fn elastic_cracks_know_no_speed() {
 }
 
 /// A fluid of three terms, and the solid that a small relaxed modulus makes of it.
-fn fluid(relaxed: f64) -> Material {
-    Material::from_relaxation(
+fn fluid(relaxed: f64) -> PlaneMaterial {
+    PlaneMaterial::from_relaxation(
         relaxed,
         &[
             RelaxationTerm { modulus: 6.7e7, relaxation_time: 3.1e-4 },
@@ -476,7 +476,7 @@ fn solids_tend_to_the_fluid_as_their_relaxed_modulus_vanishes() {
 
 #[test]
 fn work_is_counted_and_pinned() {
-    let material = Material::standard_solid(1.9e6, 1.9e9, 4.7e-3).unwrap();
+    let material = PlaneMaterial::standard_solid(1.9e6, 1.9e9, 4.7e-3).unwrap();
     let curve = VirtualWork::new(&material, Motion::Opening, interface(growing(1.0))).unwrap();
     let (mut speed_points, mut load_points) = (0, 0);
     for exponent in -12..=12 {

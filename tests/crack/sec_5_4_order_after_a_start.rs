@@ -21,14 +21,14 @@
 use crate::support;
 
 use support::reference_materials;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::crack::delayed::trajectory::tends_to;
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Onset, Resolution, onset, trajectory};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 
 const ZONE: f64 = 1.3e-6;
 
-fn problem(material: &Material) -> GrowthProblem<'_> {
+fn problem(material: &PlaneMaterial) -> GrowthProblem<'_> {
     let process_zone = ProcessZone::Constant { length: ZONE };
     GrowthProblem::new(material, Interface { work_of_adhesion: 0.17, process_zone, body: CrackBody::AgainstRigid }, 0.0).unwrap()
 }

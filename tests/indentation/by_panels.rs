@@ -13,7 +13,7 @@
 
 use serde_json::Value;
 use std::f64::consts::TAU;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::by_panels::{End, Outcome, PanelOptions, integrate_by_panels, solve_by_panels};
 use viscotack::indentation::{
     Adhesion, Controlled, History, IndentationProblem, Instant, Oscillation, Profile, integrate, run, surface_of,
@@ -34,11 +34,11 @@ fn value(state: &Value, name: &str) -> (f64, f64) {
     (state[name]["value"].as_f64().unwrap(), state[name]["err"].as_f64().unwrap())
 }
 
-fn material(state: &Value) -> Material {
+fn material(state: &Value) -> PlaneMaterial {
     let inputs = &state["inputs"]["material"];
     let list = |name: &str| inputs[name].as_array().unwrap().iter().map(|value| value.as_f64().unwrap()).collect::<Vec<_>>();
     let terms = list("J").into_iter().zip(list("tau")).map(|(compliance, retardation_time)| CreepTerm { compliance, retardation_time });
-    Material::from_creep(inputs["E_inf"].as_f64().unwrap(), &terms.collect::<Vec<_>>(), None).unwrap()
+    PlaneMaterial::from_creep(inputs["E_inf"].as_f64().unwrap(), &terms.collect::<Vec<_>>(), None).unwrap()
 }
 
 fn problem(state: &Value, history: History) -> IndentationProblem {

@@ -14,7 +14,7 @@ use std::time::Instant;
 use viscotack::indentation::by_panels::solve_by_panels;
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Oscillation, Profile, run};
 use viscotack::material::CreepTerm;
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 
 /// Uniform numbers of a linear congruential generator (Knuth's MMIX constants).
 struct Draw(u64);
@@ -34,7 +34,7 @@ impl Draw {
     }
 }
 
-fn scene(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
+fn scene(draw: &mut Draw) -> (&'static str, PlaneMaterial, IndentationProblem) {
     let stiffening = draw.ratio(3.0, 100.0);
     let count = 1 + (draw.unit() * 4.0) as usize;
     let weights: Vec<f64> = (0..count).map(|_| draw.between(0.2, 1.0)).collect();
@@ -48,7 +48,7 @@ fn scene(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
             retardation_time: slowest * 10.0_f64.powf(-1.2 * k as f64),
         })
         .collect();
-    let material = Material::from_creep(stiffening, &terms, None).unwrap();
+    let material = PlaneMaterial::from_creep(stiffening, &terms, None).unwrap();
     let work = draw.ratio(1e-4, 8e-4);
     let adhesion = Adhesion { work_of_adhesion: work, process_zone: draw.ratio(2e-3, 2e-2) };
     let depth = draw.between(0.015, 0.035);
@@ -99,7 +99,7 @@ fn shape(draw: &mut Draw) -> Profile {
 }
 
 /// The same solids under histories of which each segment gives penetration, force or frame, or changes the penetration at once.
-fn changing(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
+fn changing(draw: &mut Draw) -> (&'static str, PlaneMaterial, IndentationProblem) {
     let (_, material, problem) = scene(draw);
     let profile = shape(draw);
     let depth = draw.between(0.02, 0.035);
@@ -133,7 +133,7 @@ fn panels_and_time_steps_agree_on_every_shape_under_controls_that_change() {
     compared(12, &mut Draw(20_261_126), changing);
 }
 
-fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'static str, Material, IndentationProblem)) {
+fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'static str, PlaneMaterial, IndentationProblem)) {
     let scenes: usize = std::env::var("VISCOTACK_SCENES").ok().and_then(|count| count.parse().ok()).unwrap_or(usual);
     let (mut ratios, mut failures, mut values) = (Vec::new(), Vec::new(), 0_u32);
     let mut furthest = (0.0_f64, String::new());

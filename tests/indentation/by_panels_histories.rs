@@ -14,7 +14,7 @@
 
 use std::f64::consts::TAU;
 use viscotack::Estimate;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::by_panels::{End, PanelOptions, integrate_by_panels, solve_by_panels};
 use viscotack::indentation::{
     Adhesion, Controlled, Cycle, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Segment,
@@ -31,17 +31,17 @@ fn sphere(zone: f64, history: History) -> IndentationProblem {
     IndentationProblem::new(SPHERE, Some(Adhesion { work_of_adhesion: WORK, process_zone: zone }), history)
 }
 
-fn rubber() -> Material {
-    Material::standard_solid(1.0, 10.0, 10.0).unwrap()
+fn rubber() -> PlaneMaterial {
+    PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap()
 }
 
-fn two_terms() -> Material {
+fn two_terms() -> PlaneMaterial {
     let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
-    Material::from_relaxation(2.0, &[term(3.0, 0.5), term(10.0, 0.02)]).unwrap()
+    PlaneMaterial::from_relaxation(2.0, &[term(3.0, 0.5), term(10.0, 0.02)]).unwrap()
 }
 
 /// Every number of panels and time steps within the bounds of both, and the same events.
-fn agree(name: &str, material: &Material, problem: &IndentationProblem) -> [IndentationSolution; 2] {
+fn agree(name: &str, material: &PlaneMaterial, problem: &IndentationProblem) -> [IndentationSolution; 2] {
     let (panels, steps) = (solve_by_panels(material, problem).unwrap(), run(material, problem).unwrap());
     assert!(panels.by_panels && panels.reached && !steps.by_panels, "{name}");
     assert_eq!(panels.instants.len(), steps.instants.len(), "{name}");
@@ -71,7 +71,7 @@ fn agree(name: &str, material: &Material, problem: &IndentationProblem) -> [Inde
 
 #[test]
 fn a_large_step_finds_the_elastic_equilibrium_of_its_depth() {
-    let elastic = Material::elastic(1.0).unwrap();
+    let elastic = PlaneMaterial::elastic(1.0).unwrap();
     for zone in [2e-3, 2e-4] {
         for (first, second) in [(0.01, 0.06), (0.02, 0.5), (0.01, 1.0), (0.01, 3.0), (0.5, 0.01), (3.0, 0.01)] {
             let outcome =
@@ -103,7 +103,7 @@ fn steps_there_and_back_leave_the_contact_as_it_was() {
 /// F dΔ + G_tip dA = dU: a body answers with E∞ at once, and a glassy solid dissipates nothing.
 #[test]
 fn nothing_is_dissipated_by_a_step() {
-    for (material, step) in [(rubber(), 0.035), (rubber(), 0.024), (two_terms(), 0.04), (Material::elastic(1.0).unwrap(), 0.0)] {
+    for (material, step) in [(rubber(), 0.035), (rubber(), 0.024), (two_terms(), 0.04), (PlaneMaterial::elastic(1.0).unwrap(), 0.0)] {
         let asked = sphere(1e-2, History::penetration(0.03).step(step)).relaxed();
         let problem = IndentationProblem { energies: true, ..asked };
         let solved = solve_by_panels(&material, &problem).unwrap();
@@ -181,7 +181,7 @@ fn steps_of_every_control_agree_with_time_steps() {
 /// An elastic surface is back at once: it is touched where it was, and bonds to JKR's contact at Δ = 0.
 #[test]
 fn an_elastic_surface_is_touched_where_it_was() {
-    let elastic = Material::elastic(1.0).unwrap();
+    let elastic = PlaneMaterial::elastic(1.0).unwrap();
     for zone in [2e-3, 2e-4] {
         let history = History::penetration(0.01).ramp(-0.1, 1.0).ramp(0.02, 1.0);
         let outcome = integrate_by_panels(&elastic, &sphere(zone, history), USUAL, &[2.0]).unwrap();
@@ -276,7 +276,7 @@ fn rows_of_cycles_agree_with_time_steps() {
 #[test]
 fn the_cycle_of_an_elastic_contact_is_that_of_its_equilibria() {
     let (depth, amplitude, zone) = (0.02, 0.005, 1e-2);
-    let elastic = Material::elastic(1.0).unwrap();
+    let elastic = PlaneMaterial::elastic(1.0).unwrap();
     let history = History::penetration(depth).oscillate(Oscillation::steady(amplitude, 1.0), 2.0);
     let solved = solve_by_panels(&elastic, &IndentationProblem { accuracy: 1e-6, ..sphere(zone, history).relaxed() }).unwrap();
     let force = |k: u32| {

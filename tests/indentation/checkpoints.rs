@@ -16,7 +16,7 @@ use viscotack::indentation::{
     Adhesion, Checkpoint, Controlled, EdgeLaw, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Segment, Start,
     Watch, run, run_watched,
 };
-use viscotack::material::{Material, RelaxationTerm};
+use viscotack::material::{PlaneMaterial, RelaxationTerm};
 
 /// Counts steps, and takes a checkpoint after one of them.
 struct Taker {
@@ -46,9 +46,9 @@ impl Watch for Taker {
     }
 }
 
-fn material() -> Material {
+fn material() -> PlaneMaterial {
     let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
-    Material::from_relaxation(2.0, &[term(3.0, 0.5), term(10.0, 0.02)]).unwrap()
+    PlaneMaterial::from_relaxation(2.0, &[term(3.0, 0.5), term(10.0, 0.02)]).unwrap()
 }
 
 fn problem(controlled: Controlled, start: f64, segments: Vec<Segment>) -> IndentationProblem {
@@ -177,7 +177,7 @@ fn a_checkpoint_of_another_problem_is_refused() {
     run_watched(&material(), &problem, None, Some(&taker)).unwrap();
     let bytes = taker.taken.into_inner().unwrap().unwrap();
     let checkpoint = || -> Checkpoint { postcard::from_bytes(&bytes).unwrap() };
-    let other = Material::from_relaxation(2.0, &[RelaxationTerm { modulus: 3.0, relaxation_time: 0.5 }]).unwrap();
+    let other = PlaneMaterial::from_relaxation(2.0, &[RelaxationTerm { modulus: 3.0, relaxation_time: 0.5 }]).unwrap();
     let refusal = run_watched(&other, &problem, Some(checkpoint()), None).unwrap_err().to_string();
     assert!(refusal.contains("another problem"), "{refusal}");
     let mut shorter = problem;

@@ -14,11 +14,11 @@ use crate::support;
 
 use std::f64::consts::PI;
 use support::random::Uniform;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, PathPoint, Profile, integrate, run};
 use viscotack::material::RelaxationTerm;
 
-fn problem(random: &mut Uniform, accuracy: f64) -> (Material, IndentationProblem) {
+fn problem(random: &mut Uniform, accuracy: f64) -> (PlaneMaterial, IndentationProblem) {
     let (modulus, radius, time) = (random.log_between(1e-2, 1e7), random.log_between(1e-4, 1e2), random.log_between(1e-3, 1e3));
     let beta = random.log_between(1.5, 300.0);
     let count = 1 + random.between(0.0, 4.0) as usize;
@@ -32,7 +32,7 @@ fn problem(random: &mut Uniform, accuracy: f64) -> (Material, IndentationProblem
             relaxation_time: time * 10f64.powf(1.3 * k as f64 + random.between(0.0, 0.8)),
         })
         .collect();
-    let material = Material::from_relaxation(modulus, &terms).unwrap();
+    let material = PlaneMaterial::from_relaxation(modulus, &terms).unwrap();
     let work = modulus * radius * random.log_between(1e-5, 3e-3);
     let jkr = (9.0 * PI * work * radius * radius / (2.0 * modulus)).cbrt();
     let zone = jkr * random.log_between(3e-3, 0.1);
@@ -114,7 +114,7 @@ fn bounds_cover_and_are_not_wide() {
 /// there.
 #[test]
 fn points_of_a_path_have_bounds_that_cover() {
-    let material = Material::standard_solid(1.0, 30.0, 1.0).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 30.0, 1.0).unwrap();
     let adhesion = Adhesion { work_of_adhesion: 2e-3, process_zone: 5e-3 };
     let (load, press, down, pull) = (0.02, 0.7, -0.03, 1.5);
     let of = |adhesion: Option<Adhesion>, accuracy: f64, stop: Option<(f64, f64)>| {

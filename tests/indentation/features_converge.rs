@@ -15,7 +15,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, PathPoint, Profile, integrate, run};
 use viscotack_verification::studies::calibration::{SEED, sphere};
 use viscotack_verification::studies::draw::Draw;
@@ -94,7 +94,7 @@ fn a_place_left_suddenly_that_the_edge_comes_back_over() {
     let adhesion = Some(Adhesion { work_of_adhesion: 1.6e-4 * PI, process_zone: 0.013 });
     let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, adhesion, history);
     let problem = IndentationProblem { instants_per_segment: 4, ..problem };
-    let material = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap();
     let last_two = |tolerance: f64| {
         let trace = integrate(&material, &problem, tolerance).unwrap();
         [2, 1].map(|back| trace.path[trace.kept[trace.kept.len() - back]].stress_intensity_factor)

@@ -11,18 +11,18 @@ use crate::support;
 
 use std::f64::consts::{PI, TAU};
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Adhesion, FrequencySweep, History, IndentationProblem, Oscillation, PathPoint, Profile, integrate, run};
 use viscotack::material::RelaxationTerm;
 
-fn terms(count: i32) -> Material {
+fn terms(count: i32) -> PlaneMaterial {
     // Not of unit moduli, and spread over decades about a time of 0.02 s.
     let term = |k: i32| RelaxationTerm { modulus: 3.1e6 / f64::from(count), relaxation_time: 0.02 * 10f64.powi(k - count / 2) };
-    Material::from_relaxation(0.7e6, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
+    PlaneMaterial::from_relaxation(0.7e6, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
 }
 
 /// E' and E'' at an angular frequency.
-fn complex(material: &Material, omega: f64) -> (f64, f64) {
+fn complex(material: &PlaneMaterial, omega: f64) -> (f64, f64) {
     material.relaxation_terms().iter().fold((0.7e6, 0.0), |(storage, loss), term| {
         let x = omega * term.relaxation_time;
         (storage + term.modulus * x * x / (1.0 + x * x), loss + term.modulus * x / (1.0 + x * x))
@@ -75,7 +75,7 @@ fn a_punch_has_the_complex_stiffness_of_its_solid() {
 }
 
 /// Stiffness of the last of so many cycles, with the transients of the start and the straight line between both ends taken off as the cycle integrals do.
-fn with_transient(material: &Material, omega: f64, cycles: f64) -> (f64, f64) {
+fn with_transient(material: &PlaneMaterial, omega: f64, cycles: f64) -> (f64, f64) {
     let period = TAU / omega;
     let (start, end) = ((cycles - 1.0) * period, cycles * period);
     let transient = |t: f64| {

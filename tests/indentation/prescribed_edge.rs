@@ -16,7 +16,7 @@
 //! Tolerance: 1e-8 of the largest force: the line is exact at its nodes, what remains is interpolation where the edge returns.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Contact, History, IndentationProblem, Profile, Springs, Sweep, integrate};
 use viscotack::material::{CreepTerm, RelaxationTerm};
 use viscotack::special::gauss_legendre::UNIT_RULE_20;
@@ -24,13 +24,13 @@ use viscotack::special::gauss_legendre::UNIT_RULE_20;
 const RADIUS: f64 = 2e-3;
 const SPHERE: Profile = Profile::Paraboloid { radius: RADIUS };
 
-fn solids() -> Vec<Material> {
+fn solids() -> Vec<PlaneMaterial> {
     let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
     let creep = |compliance, retardation_time| CreepTerm { compliance, retardation_time };
     vec![
-        Material::standard_solid(0.7e6, 9e6, 3.0).unwrap(),
-        Material::from_relaxation(1.1, &[term(3.0, 0.02), term(5.0, 0.7), term(0.4, 40.0)]).unwrap(),
-        Material::from_creep(
+        PlaneMaterial::standard_solid(0.7e6, 9e6, 3.0).unwrap(),
+        PlaneMaterial::from_relaxation(1.1, &[term(3.0, 0.02), term(5.0, 0.7), term(0.4, 40.0)]).unwrap(),
+        PlaneMaterial::from_creep(
             2e9,
             &[creep(1e-9, 1e-3), creep(3e-10, 2e-2), creep(5e-9, 0.1), creep(1e-10, 0.13), creep(2e-8, 5.0), creep(1e-9, 90.0)],
             None,
@@ -84,8 +84,8 @@ fn flat_punch_steps_and_ramps() {
 fn a_cone_is_sneddons() {
     for (modulus, angle) in [(1.3, 1.2_f64), (4.1e6, 1.5)] {
         let slope = 1.0 / angle.tan();
-        let springs_of = |material: &Material| Springs::new(material).unwrap();
-        let solid = Material::elastic(modulus);
+        let springs_of = |material: &PlaneMaterial| Springs::new(material).unwrap();
+        let solid = PlaneMaterial::elastic(modulus);
         let elastic = springs_of(&solid.unwrap());
         let a = 2e-4;
         let depth = 0.5 * std::f64::consts::PI * a * slope;
@@ -96,7 +96,7 @@ fn a_cone_is_sneddons() {
         assert!(cone.stress_intensity_factor().abs() < 1e-12 * modulus * slope * a.sqrt());
         let problem =
             IndentationProblem { accuracy: 1e-8, ..IndentationProblem::new(Profile::Cone { slope }, None, History::penetration(depth)) };
-        let trace = integrate(&Material::elastic(modulus).unwrap(), &problem, 1e-6).unwrap();
+        let trace = integrate(&PlaneMaterial::elastic(modulus).unwrap(), &problem, 1e-6).unwrap();
         let start = trace.path[0];
         assert!((start.contact_radius / a - 1.0).abs() < 1e-12 && (start.force / exact - 1.0).abs() < 1e-12, "{start:?}");
     }

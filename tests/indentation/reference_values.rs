@@ -13,7 +13,7 @@
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::path::Path;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{
     Adhesion, Contact, History, IndentationProblem, IndentationSolution, Panel, Profile, Springs, Start, Sweep, Zone, elastic_contact,
     elliptic_k, run, zone_work,
@@ -36,11 +36,11 @@ impl Row {
     fn cell(&self, place: usize) -> f64 {
         self.cells[place].parse().unwrap()
     }
-    fn material(&self) -> Material {
+    fn material(&self) -> PlaneMaterial {
         let numbers: Vec<Vec<f64>> =
             self.text("material").split(';').map(|part| part.split(',').map(|number| number.parse().unwrap()).collect()).collect();
         let terms: Vec<_> = numbers[1..].iter().map(|pair| RelaxationTerm { modulus: pair[0], relaxation_time: pair[1] }).collect();
-        Material::from_relaxation(numbers[0][0], &terms).unwrap()
+        PlaneMaterial::from_relaxation(numbers[0][0], &terms).unwrap()
     }
     fn profile(&self) -> Profile {
         match self.text("shape") {

@@ -15,7 +15,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{
     Adhesion, EventKind, History, IndentationProblem, Profile, elastic_contact, elastic_contact_of_radius, integrate, run,
 };
@@ -26,8 +26,8 @@ const BETA: f64 = 10.0;
 const SPHERE: Profile = Profile::Paraboloid { radius: 1.0 };
 
 /// β = 10 with relaxation time 1, retardation time 10.
-fn rubber() -> Material {
-    Material::standard_solid(1.0, BETA, BETA).unwrap()
+fn rubber() -> PlaneMaterial {
+    PlaneMaterial::standard_solid(1.0, BETA, BETA).unwrap()
 }
 
 fn retraction(speed: f64, end: f64) -> IndentationProblem {
@@ -81,7 +81,7 @@ fn slow_retraction_is_soft_and_fast_elastic_limits_agree() {
         assert!((point.contact_radius / elastic.contact_radius - 1.0).abs() < 1e-4);
     }
     // An elastic material on the same integration makes no error in time at all.
-    let elastic = Material::from_relaxation(1.0, &[]).unwrap();
+    let elastic = PlaneMaterial::from_relaxation(1.0, &[]).unwrap();
     let trace = integrate(&elastic, &problem, 1e-3).unwrap();
     for point in &trace.path {
         let exact = elastic_contact_of_radius(&SPHERE, 1.0, WORK, ZONE, point.contact_radius).unwrap();
@@ -125,7 +125,7 @@ fn fast_retraction_is_the_closed_form() {
 #[test]
 fn units_and_error_bounds() {
     let (modulus, radius, time) = (0.83e6, 2.7e-3, 0.4);
-    let material = Material::standard_solid(modulus, BETA * modulus, BETA * time).unwrap();
+    let material = PlaneMaterial::standard_solid(modulus, BETA * modulus, BETA * time).unwrap();
     let speed = 3e-3 * radius / time;
     let problem = |length: f64, stress: f64, second: f64| {
         let adhesion = Adhesion { work_of_adhesion: WORK * modulus * radius * stress * length, process_zone: ZONE * radius * length };
@@ -137,7 +137,7 @@ fn units_and_error_bounds() {
         }
     };
     let si = run(&material, &problem(1.0, 1.0, 1.0)).unwrap();
-    let other = Material::standard_solid(modulus * 1e-6, BETA * modulus * 1e-6, BETA * time * 1e3).unwrap();
+    let other = PlaneMaterial::standard_solid(modulus * 1e-6, BETA * modulus * 1e-6, BETA * time * 1e3).unwrap();
     let mm = run(&other, &problem(1e3, 1e-6, 1e3)).unwrap();
     let assess = integrate(&material, &problem(1.0, 1.0, 1.0), 1e-9).unwrap();
     for (index, (first, second)) in si.instants.iter().zip(&mm.instants).enumerate() {

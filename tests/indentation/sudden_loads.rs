@@ -20,7 +20,7 @@ use crate::support;
 
 use std::f64::consts::PI;
 use support::indentation::{SPHERE, WORK};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::elastic::{EquilibriumBranch, JkrSphere, KendallPunch};
 use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Profile, elastic_contact, integrate};
 use viscotack::refusal::Refusal;
@@ -31,7 +31,7 @@ fn sphere(zone: f64, history: History) -> IndentationProblem {
 
 #[test]
 fn a_large_step_of_penetration_finds_the_equilibrium_of_its_depth() {
-    let elastic = Material::elastic(1.0).unwrap();
+    let elastic = PlaneMaterial::elastic(1.0).unwrap();
     let closed = JkrSphere::new(1.0, 1.0, WORK).unwrap();
     for zone in [2e-3, 2e-4] {
         for (first, second) in [(0.01, 0.06), (0.02, 0.5), (0.01, 1.0), (0.01, 3.0), (0.5, 0.01), (3.0, 0.01)] {
@@ -52,7 +52,7 @@ fn a_large_step_of_penetration_finds_the_equilibrium_of_its_depth() {
 /// relaxation times nothing of the way is left.
 #[test]
 fn a_large_step_on_rubber_goes_outwards_and_relaxes() {
-    let rubber = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let rubber = PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap();
     for (first, second) in [(0.01, 0.1), (0.01, 0.4)] {
         let zone = 2e-3;
         let problem = sphere(zone, History::penetration(first).step(second).hold(1e4)).relaxed();
@@ -70,7 +70,7 @@ fn a_large_step_on_rubber_goes_outwards_and_relaxes() {
 #[test]
 fn a_punch_starts_with_the_modulus_of_its_past() {
     let (radius, relaxed, beta) = (0.1, 1.0, 10.0);
-    let material = Material::standard_solid(relaxed, beta * relaxed, 10.0).unwrap();
+    let material = PlaneMaterial::standard_solid(relaxed, beta * relaxed, 10.0).unwrap();
     for adhesion in [None, Some(Adhesion { work_of_adhesion: WORK, process_zone: 1e-4 })] {
         let loaded = |force: f64| IndentationProblem::new(Profile::FlatPunch { radius }, adhesion, History::force(force).hold(30.0));
         for (problem, compliance) in [(loaded(0.02), 1.0 / (beta * relaxed)), (loaded(0.02).relaxed(), 1.0 / relaxed)] {

@@ -11,16 +11,17 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Profile, integrate, run};
 use viscotack::material::RelaxationTerm;
 use viscotack_verification::studies::calibration::wide_spectrum;
 
 /// Terms of equal moduli whose times lie evenly over so many decades about the reference time.
-fn spectrum(terms: u32, beta: f64, decades: f64) -> Material {
+fn spectrum(terms: u32, beta: f64, decades: f64) -> PlaneMaterial {
     let time = |k: u32| 10.0_f64.powf(decades * (f64::from(k) / f64::from(terms - 1) - 0.5));
     let modulus = (beta - 1.0) / f64::from(terms);
-    Material::from_relaxation(1.0, &(0..terms).map(|k| RelaxationTerm { modulus, relaxation_time: time(k) }).collect::<Vec<_>>()).unwrap()
+    PlaneMaterial::from_relaxation(1.0, &(0..terms).map(|k| RelaxationTerm { modulus, relaxation_time: time(k) }).collect::<Vec<_>>())
+        .unwrap()
 }
 
 fn slow_pull_off() -> IndentationProblem {

@@ -9,7 +9,7 @@
 use crate::support;
 
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Adhesion, History, IndentationProblem, IndentationWork, Oscillation, integrate, run};
 use viscotack::material::RelaxationTerm;
 
@@ -77,7 +77,7 @@ fn terms_cost_in_proportion() {
             modulus: 9.0 / f64::from(count),
             relaxation_time: 10f64.powf((f64::from(k) + 0.5) / f64::from(count) - 0.5),
         };
-        Material::from_relaxation(1.0, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
+        PlaneMaterial::from_relaxation(1.0, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
     };
     let history = || History::penetration(0.0).at_speed(0.032, SPEED).at_speed(-0.02, SPEED);
     let works: Vec<IndentationWork> =

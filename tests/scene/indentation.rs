@@ -9,7 +9,7 @@
 
 use std::f64::consts::PI;
 use std::path::Path;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, run};
 use viscotack_program::outcome::{Outcome, Row, Status};
 use viscotack_program::plan;
@@ -59,7 +59,7 @@ fn retraction_in_reduced_units_is_that_of_the_solver() {
         accuracy: 1e-4,
         ..IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, Some(adhesion), history).relaxed()
     };
-    let direct = run(&Material::standard_solid(1.0, 10.0, 10.0).unwrap(), &problem).unwrap();
+    let direct = run(&PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap(), &problem).unwrap();
     let rows = instants(&outcome);
     assert_eq!(rows.len(), direct.instants.len());
     for (row, instant) in rows.iter().zip(&direct.instants) {

@@ -4,13 +4,13 @@
 //! Goal: rows of cycles are the library's; one physics in reduced and in SI units; a held punch tells the complex modulus of its body; what ends
 //! early, thins out or is left out does so.
 //! Parameters: the thesis's chapter 4 (γ̃ = 1.6e-4, δ̃ = 0.013, β = 10), and a punch that stays pressed, for which the edge plays no part.
-//! Oracle: [`viscotack::indentation::run`] with numbers written here; 2aE*(ω) by [`viscotack::Material::complex_modulus`].
+//! Oracle: [`viscotack::indentation::run`] with numbers written here; 2aE*(ω) by [`viscotack::PlaneMaterial::complex_modulus`].
 //! Tolerance: the error bounds of the rows themselves; with each test where there are none.
 #![allow(clippy::float_cmp, clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Adhesion, Cycle, FrequencySweep, History, IndentationProblem, Oscillation, Profile, run};
 use viscotack_program::outcome::{Outcome, Row, Status};
@@ -69,7 +69,7 @@ fn cycles_in_reduced_units_are_those_of_the_solver() {
         accuracy: 1e-3,
         ..IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, Some(adhesion), history).relaxed()
     };
-    let direct = run(&Material::standard_solid(1.0, 10.0, 10.0).unwrap(), &problem).unwrap();
+    let direct = run(&PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap(), &problem).unwrap();
     let rows = cycles(&outcome);
     assert_eq!((rows.len(), direct.cycles.len()), (4, 4));
     type Of = fn(&Cycle<Estimate>) -> Estimate;
@@ -160,7 +160,7 @@ fn a_held_punch_tells_the_complex_modulus() {
 [sweep]\nkey = \"history.0.oscillation.frequency\"\nvalues = [\"50 mHz\", \"0.5 Hz\", \"5 Hz\"]\n",
     ));
     let term = viscotack::material::RelaxationTerm { modulus: 3e6, relaxation_time: time };
-    let material = Material::from_relaxation(7e5, &[term]).unwrap();
+    let material = PlaneMaterial::from_relaxation(7e5, &[term]).unwrap();
     for (state, frequency) in frequencies.into_iter().enumerate() {
         let of_state: Vec<&Row> = cycles(&outcome).into_iter().filter(|row| row.state == state).collect();
         let last = of_state.last().unwrap();

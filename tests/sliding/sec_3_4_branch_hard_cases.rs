@@ -22,20 +22,20 @@ use viscotack::sliding::branch::{
     Branch, BranchEnd, BranchPath, BranchProblem, BranchStart, ContactAt, FoldQuantity, contacts_of_width, speed_folds, trace,
 };
 use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, WaveAdhesion};
-use viscotack::{Estimate, Material, Refusal};
+use viscotack::{Estimate, PlaneMaterial, Refusal};
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
     WaveAdhesion::even(reduced_work, zone)
 }
 
-fn one_time(beta: f64) -> Material {
-    if beta > 1.0 { Material::standard_solid(1.0, beta, 1.0).unwrap() } else { Material::elastic(1.0).unwrap() }
+fn one_time(beta: f64) -> PlaneMaterial {
+    if beta > 1.0 { PlaneMaterial::standard_solid(1.0, beta, 1.0).unwrap() } else { PlaneMaterial::elastic(1.0).unwrap() }
 }
 
-fn many_times() -> Material {
+fn many_times() -> PlaneMaterial {
     let terms: Vec<CreepTerm> =
         (0..12).map(|index| CreepTerm { compliance: (1.0 - 1.0 / 100.0) / 12.0, retardation_time: 10f64.powi(-index) }).collect();
-    Material::from_creep(100.0, &terms, None).unwrap()
+    PlaneMaterial::from_creep(100.0, &terms, None).unwrap()
 }
 
 /// No number of a result may be a NaN or lack its bound.
@@ -81,7 +81,7 @@ fn ensure(holds: bool, text: impl Fn() -> String) -> Result<(), String> {
     if holds { Ok(()) } else { Err(text()) }
 }
 
-fn traced(material: &Material, problem: &BranchProblem) -> Result<Branch, String> {
+fn traced(material: &PlaneMaterial, problem: &BranchProblem) -> Result<Branch, String> {
     trace(material, problem).map(sound).map_err(|refusal| format!("{refusal:?}"))
 }
 
@@ -132,7 +132,7 @@ fn as_johnson(beta: f64, rate: f64, modulus: f64, work: f64, zone: f64) -> Outco
 }
 
 /// The contacts of a row of half-widths that continue one of a middle width of the smallest eccentricity, from narrow to wide; none if there is none at that width.
-fn row(material: &Material, problem: &BranchProblem, middle: f64) -> Vec<ContactAt> {
+fn row(material: &PlaneMaterial, problem: &BranchProblem, middle: f64) -> Vec<ContactAt> {
     let place = |width: f64| (0.5 * width).tan().ln();
     let [from, to] = problem.half_widths.map(place);
     let at = |place: f64| contacts_of_width(material, problem, 2.0 * place.exp().atan()).unwrap_or_default();
@@ -172,7 +172,7 @@ fn turns(row: &[ContactAt], value: impl Fn(&ContactAt) -> f64) -> Vec<(i32, f64,
 }
 
 /// The turns of load and penetration of a branch are those of the scan, each between the half-widths where the scan has it.
-fn as_scanned(material: &Material, problem: &BranchProblem, middle: f64) -> Outcome {
+fn as_scanned(material: &PlaneMaterial, problem: &BranchProblem, middle: f64) -> Outcome {
     let row = row(material, problem, middle);
     let found = traced(material, problem);
     if row.is_empty() {
@@ -212,7 +212,7 @@ fn as_scanned(material: &Material, problem: &BranchProblem, middle: f64) -> Outc
 }
 
 /// No contact at any of 97 half-widths: the branch is refused, with that reason.
-fn nowhere(material: &Material, problem: &BranchProblem) -> Outcome {
+fn nowhere(material: &PlaneMaterial, problem: &BranchProblem) -> Outcome {
     for index in 0..97 {
         let [from, to] = problem.half_widths;
         let width = from + (to - from) * (f64::from(index) + 0.5) / 97.0;

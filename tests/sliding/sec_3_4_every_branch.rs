@@ -26,7 +26,7 @@ use crate::support;
 use std::f64::consts::PI;
 use std::sync::Arc;
 use support::random::Uniform;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::sliding::branch::{
     BranchEnd, BranchPath, BranchProblem, BranchStart, ContactAt, FoldQuantity, Impossible, Scan, SecondVariations, Stability,
     beyond_both_ends, contacts_of_width, every_branch, speed_folds, trace,
@@ -42,8 +42,8 @@ fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
     WaveAdhesion::even(reduced_work, zone)
 }
 
-fn one_time(beta: f64) -> Material {
-    if beta > 1.0 { Material::standard_solid(1.0, beta, 1.0).unwrap() } else { Material::elastic(1.0).unwrap() }
+fn one_time(beta: f64) -> PlaneMaterial {
+    if beta > 1.0 { PlaneMaterial::standard_solid(1.0, beta, 1.0).unwrap() } else { PlaneMaterial::elastic(1.0).unwrap() }
 }
 
 /// Loads of any half-width.
@@ -52,7 +52,7 @@ fn loads(rate: f64, adhesion: WaveAdhesion) -> BranchProblem<'static> {
 }
 
 /// The contact of a scan to nine digits.
-fn accurate(material: &Material, problem: &BranchProblem, contact: &ContactAt) -> PartialValues {
+fn accurate(material: &PlaneMaterial, problem: &BranchProblem, contact: &ContactAt) -> PartialValues {
     let steady = SlidingProblem {
         rate: problem.rate,
         indenter: problem.indenter,
@@ -295,7 +295,7 @@ fn a_gap_of_a_millionth_has_the_load_of_johnsons_wave() {
 }
 
 /// E = |E|e^{iφ} of the first harmonic and r, how fast a stress relaxes at once.
-fn harmonic(material: &Material, rate: f64) -> (f64, f64, f64) {
+fn harmonic(material: &PlaneMaterial, rate: f64) -> (f64, f64, f64) {
     let modulus = material.complex_modulus(rate).unwrap();
     let (storage, loss) = (modulus.storage, modulus.loss);
     let relaxing: f64 = material.relaxation_terms().iter().map(|term| term.modulus / (rate * term.relaxation_time)).sum();

@@ -18,9 +18,9 @@ use rayon::prelude::*;
 use support::random::Uniform;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
-use viscotack::{Estimate, Material, Refusal};
+use viscotack::{Estimate, PlaneMaterial, Refusal};
 
-fn draw(random: &mut Uniform) -> (Material, SlidingProblem<'static>, String) {
+fn draw(random: &mut Uniform) -> (PlaneMaterial, SlidingProblem<'static>, String) {
     let count = [1, 2, 6, 12][random.between(0.0, 4.0) as usize];
     let beta = if random.between(0.0, 1.0) < 0.05 { 1.0 } else { random.log_between(1.1, 1000.0) };
     let relaxed = 1.3e6;
@@ -31,7 +31,7 @@ fn draw(random: &mut Uniform) -> (Material, SlidingProblem<'static>, String) {
             retardation_time: 0.37 * 10f64.powf(-decades * f64::from(index) / f64::from(count)),
         })
         .collect();
-    let material = Material::from_creep(relaxed * beta, &terms, None).unwrap();
+    let material = PlaneMaterial::from_creep(relaxed * beta, &terms, None).unwrap();
     let indenter = if random.between(0.0, 1.0) < 0.75 { Indenter::Wave } else { Indenter::Parabola };
     let work = if random.between(0.0, 1.0) < 0.2 { 0.0 } else { random.log_between(1e-4, 0.05) };
     let adhesion = (work > 0.0).then(|| WaveAdhesion {

@@ -11,11 +11,11 @@
 //! Tolerance: as pinned, with a margin of about 4 over what is met.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::steady::{Indenter, PartialContact, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 
-fn material(beta: f64, count: u32) -> Material {
+fn material(beta: f64, count: u32) -> PlaneMaterial {
     let relaxed = 0.9e6;
     let terms: Vec<CreepTerm> = (0..count)
         .map(|index| CreepTerm {
@@ -23,10 +23,10 @@ fn material(beta: f64, count: u32) -> Material {
             retardation_time: 10f64.powi(-i32::try_from(index).unwrap()),
         })
         .collect();
-    Material::from_creep(relaxed * beta, &terms, None).unwrap()
+    PlaneMaterial::from_creep(relaxed * beta, &terms, None).unwrap()
 }
 
-fn solved(material: &Material, rate: f64, zone: Option<f64>) -> Option<PartialContact> {
+fn solved(material: &PlaneMaterial, rate: f64, zone: Option<f64>) -> Option<PartialContact> {
     let problem = SlidingProblem {
         rate,
         indenter: Indenter::Wave,

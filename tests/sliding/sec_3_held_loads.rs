@@ -20,7 +20,7 @@ use crate::support;
 
 use std::collections::BTreeMap;
 use support::{Row, reference_rows};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::Refusal;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
@@ -31,13 +31,13 @@ const LIMIT: f64 = 1e-4;
 
 /// A problem of the file: its rows by what is held, and its limits.
 struct Case {
-    material: Material,
+    material: PlaneMaterial,
     adhesion: Option<WaveAdhesion>,
     held: Vec<(f64, Vec<Row>)>,
     limits: Vec<(String, f64, f64)>,
 }
 
-fn material(row: &Row) -> Material {
+fn material(row: &Row) -> PlaneMaterial {
     let terms: Vec<(f64, f64)> = row
         .text("terms")
         .split_whitespace()
@@ -49,7 +49,7 @@ fn material(row: &Row) -> Material {
         .into_iter()
         .map(|(compliance, ratio)| CreepTerm { compliance: compliance / RELAXED, retardation_time: ratio / RATE })
         .collect();
-    Material::from_creep(RELAXED / glassy, &terms, None).unwrap()
+    PlaneMaterial::from_creep(RELAXED / glassy, &terms, None).unwrap()
 }
 
 fn cases() -> BTreeMap<String, Case> {

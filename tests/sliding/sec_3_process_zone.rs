@@ -17,7 +17,7 @@ use crate::support;
 use std::f64::consts::PI;
 use std::sync::Arc;
 use support::random::Uniform;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, ProcessZone, Resolution, WaveContact};
 
@@ -37,7 +37,7 @@ fn draw(random: &mut Uniform) -> Case {
     let terms: Vec<CreepTerm> = (0..count)
         .map(|_| CreepTerm { compliance: (1.0 - 1.0 / beta) / relaxed / f64::from(count), retardation_time: random.log_between(1e-6, 1e4) })
         .collect();
-    let material = Material::from_creep(relaxed * beta, &terms, None).unwrap();
+    let material = PlaneMaterial::from_creep(relaxed * beta, &terms, None).unwrap();
     let indenter = if random.between(0.0, 1.0) < 0.7 { Indenter::Wave } else { Indenter::Parabola };
     let half_width = if indenter == Indenter::Wave { random.between(0.02, 3.1) } else { random.log_between(0.01, 10.0) };
     let arc = if indenter == Indenter::Wave { half_width.min(PI - half_width) } else { half_width };

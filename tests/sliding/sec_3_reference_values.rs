@@ -19,7 +19,7 @@ use crate::support;
 use std::f64::consts::PI;
 use support::sliding::{contact_at_rate, contact_near};
 use support::{Row, reference_rows};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Prescribed, WaveContact};
 use viscotack::sliding::steady::WaveAdhesion;
@@ -29,7 +29,7 @@ const RELAXED: f64 = 2.3e6;
 const RATE: f64 = 7.0;
 
 /// The solid of a row, at the rate `RATE`.
-fn material(row: &Row) -> Material {
+fn material(row: &Row) -> PlaneMaterial {
     let terms: Vec<(f64, f64)> = row
         .text("terms")
         .split_whitespace()
@@ -43,7 +43,7 @@ fn material(row: &Row) -> Material {
         .into_iter()
         .map(|(compliance, ratio)| CreepTerm { compliance: compliance / RELAXED, retardation_time: ratio / RATE })
         .collect();
-    Material::from_creep(RELAXED / glassy, &terms, None).unwrap()
+    PlaneMaterial::from_creep(RELAXED / glassy, &terms, None).unwrap()
 }
 
 /// The error over the scale, after checking it against what the reference confirms.

@@ -17,17 +17,17 @@ use viscotack::sliding::sensitivity::{Parameter, Sensitivity, state_sensitivitie
 use viscotack::sliding::steady::{
     Indenter, PartialContact, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding, steady_sliding_near,
 };
-use viscotack::{Estimate, Material};
+use viscotack::{Estimate, PlaneMaterial};
 
 const RELAXED: f64 = 0.7e6;
 
 /// A solid of given β with compliances in a fixed ratio; times in units of `time`.
-fn solid(relaxed: f64, beta: f64, time: f64, shares: &[(f64, f64)]) -> Material {
+fn solid(relaxed: f64, beta: f64, time: f64, shares: &[(f64, f64)]) -> PlaneMaterial {
     let gained = (1.0 - 1.0 / beta) / relaxed;
     let sum: f64 = shares.iter().map(|share| share.0).sum();
     let terms: Vec<CreepTerm> =
         shares.iter().map(|&(share, at)| CreepTerm { compliance: gained * share / sum, retardation_time: at * time }).collect();
-    Material::from_creep(relaxed * beta, &terms, None).unwrap()
+    PlaneMaterial::from_creep(relaxed * beta, &terms, None).unwrap()
 }
 
 const ONE: [(f64, f64); 1] = [(1.0, 1.0)];
@@ -74,7 +74,7 @@ struct Case {
 }
 
 impl Case {
-    fn material(&self, inputs: Inputs) -> Material {
+    fn material(&self, inputs: Inputs) -> PlaneMaterial {
         // The modulus is E0 in another unit; what the contact sees of it is in the works and the load.
         solid(RELAXED * inputs.relaxed, self.beta * inputs.beta, inputs.time, self.shares)
     }
@@ -158,7 +158,7 @@ fn sensitivities_of_contacts_are_derivatives_of_solutions() {
     }
 }
 
-fn strength_of(material: &Material, problem: &BranchProblem<'_>) -> [f64; 4] {
+fn strength_of(material: &PlaneMaterial, problem: &BranchProblem<'_>) -> [f64; 4] {
     let Strength { pull_off, snap_in, separation, toughness, .. } = strength(material, problem).unwrap();
     [pull_off.unwrap().value.value, snap_in.unwrap().value.value, separation.unwrap().value.value, toughness.unwrap().value.value]
 }

@@ -16,7 +16,7 @@ use support::reference_rows;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactEdges, ContactMemory, Indenter, Resolution, WaveContact};
 use viscotack::sliding::steady::{PartialValues, WaveAdhesion};
-use viscotack::{Estimate, Material};
+use viscotack::{Estimate, PlaneMaterial};
 use viscotack_verification::studies::draw::Draw;
 use viscotack_verification::studies::held_contacts::answer::Answer;
 use viscotack_verification::studies::held_contacts::conics::common_points;
@@ -85,7 +85,7 @@ fn a_stable_matrix_holds_both_edges_whatever_their_mobilities() {
 }
 
 /// Material, adhesion, held loads with the half-width of their stable contact, and limits, of a case of the reference.
-type Case = (Material, Option<WaveAdhesion>, BTreeMap<u64, Option<f64>>, Vec<(String, f64, f64)>);
+type Case = (PlaneMaterial, Option<WaveAdhesion>, BTreeMap<u64, Option<f64>>, Vec<(String, f64, f64)>);
 
 fn cases() -> BTreeMap<String, Case> {
     let mut cases: BTreeMap<String, Case> = BTreeMap::new();
@@ -106,7 +106,7 @@ fn cases() -> BTreeMap<String, Case> {
                 leading_zone: row.number("zone"),
             };
             let adhesion = (adhesion.trailing_zone > 0.0).then_some(adhesion);
-            (Material::from_creep(1.0 / glassy, &terms, None).unwrap(), adhesion, BTreeMap::new(), Vec::new())
+            (PlaneMaterial::from_creep(1.0 / glassy, &terms, None).unwrap(), adhesion, BTreeMap::new(), Vec::new())
         });
         match (row.text("asked"), row.text("quantity")) {
             ("limit", _) => case.3.push((row.text("index").to_owned(), row.number("value"), 10f64.powf(-row.number("confirmed_digits")))),
@@ -168,7 +168,7 @@ fn values(contact: &Equilibrium) -> PartialValues {
 #[test]
 fn every_wrong_answer_is_noticed() {
     // A wave of one term, well inside its limits.
-    let material = Material::from_creep(10.0, &[CreepTerm { compliance: 0.9, retardation_time: 1.0 }], None).unwrap();
+    let material = PlaneMaterial::from_creep(10.0, &[CreepTerm { compliance: 0.9, retardation_time: 1.0 }], None).unwrap();
     let memory = Arc::new(ContactMemory::new(&material, 10.0).unwrap());
     let at = |resolution| Bodies::new(Arc::clone(&memory), Indenter::Wave, Some(WaveAdhesion::even(0.008, 1e-3)), resolution);
     let speed = Speed::new(at(Resolution::Medium), at(Resolution::Finest), 60, true).unwrap();

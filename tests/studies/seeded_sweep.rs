@@ -82,7 +82,7 @@ fn spheres_are_found_again_and_moved_ones_are_not() {
 fn pulled_spheres_with_short_zones_start() {
     use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, run};
     use viscotack_verification::studies::known_states::sphere::elastic_work;
-    let material = viscotack::Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let material = viscotack::PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap();
     for (part, by_force) in [(2.5, false), (3.5, false), (0.9, true), (1.25, true)] {
         let (a, zone): (f64, f64) = (0.1, 1e-4);
         let depth = a * a * (1.0 - part);

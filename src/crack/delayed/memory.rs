@@ -13,7 +13,7 @@
 //! leaves (it may be nearly all of P) and once per window. Pieces are kept until no zone of the history reaches them.
 
 use super::moments::fading_moments;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
@@ -30,7 +30,7 @@ pub(crate) struct Term {
     pub(crate) rate: f64,
 }
 
-pub(crate) fn terms_of(material: &Material) -> Vec<Term> {
+pub(crate) fn terms_of(material: &PlaneMaterial) -> Vec<Term> {
     let glassy = material.glassy_modulus();
     let mut terms: Vec<Term> = material
         .creep_terms()

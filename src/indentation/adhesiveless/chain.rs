@@ -6,7 +6,7 @@
 //! between      e = T (W − u),  T_ji = φ_jE_iρ_i/(1 − ρ_i/τ_j),      W − u = S e,  S_ij = 1/(1 − ρ_i/τ_j);   φ_j = J_j/τ_j, of the flow 1/η
 //! ```
 
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 
 /// The springs and dashpots of a material, in moduli E*.
@@ -31,7 +31,7 @@ const SAME: f64 = 3e-8;
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl Chain {
-    pub(super) fn new(material: &Material) -> Result<Self, Refusal> {
+    pub(super) fn new(material: &PlaneMaterial) -> Result<Self, Refusal> {
         let maxwell: Vec<(f64, f64)> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();
         let mut voigt: Vec<(f64, f64)> =
             material.creep_terms().iter().map(|term| (term.retardation_time.recip(), term.compliance / term.retardation_time)).collect();

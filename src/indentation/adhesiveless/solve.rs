@@ -14,7 +14,7 @@ use crate::indentation::panel::Panel;
 use crate::indentation::problem::IndentationProblem;
 use crate::indentation::profile::Profile;
 use crate::indentation::solution::{EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 
 /// Series of the finest course, and how much finer each is than the one before.
@@ -50,7 +50,7 @@ fn fineness(accuracy: f64, level: u32) -> Fineness {
 
 /// Solves a history without adhesion to its accuracy.
 pub(in crate::indentation) fn solve(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     watch: Option<&dyn Watch>,
 ) -> Result<IndentationSolution, Refusal> {
@@ -185,7 +185,7 @@ fn within(solution: &IndentationSolution, accuracy: f64) -> bool {
 }
 
 /// One course, as fine as an accuracy asks for.
-pub(in crate::indentation) fn course(material: &Material, problem: &IndentationProblem, accuracy: f64) -> Result<Trace, Refusal> {
+pub(in crate::indentation) fn course(material: &PlaneMaterial, problem: &IndentationProblem, accuracy: f64) -> Result<Trace, Refusal> {
     let (chain, fresh) = (Chain::new(material)?, Fresh::of(&problem.profile));
     let (mut trace, _) = Course::new(&chain, problem, &fresh, fineness(accuracy, 1)).through(&[])?;
     trace.tolerance = accuracy;
@@ -324,7 +324,7 @@ const GRADES: [(i32, f64); 2] = [(10, 1e-13), (7, 1e-11)];
 
 /// The contact at a time of a history that has been solved, and its surface twice: as it is, and with coarser panels, for the error.
 pub(in crate::indentation) fn surface_at(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     solved: &Trace,
     time: f64,

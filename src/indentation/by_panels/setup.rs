@@ -5,7 +5,7 @@ use super::drive::{Drive, DriveSegment};
 use super::followed::Control;
 use super::prescribed::RADIUS;
 use crate::indentation::{Controlled, EdgeLaw, IndentationProblem, Oscillation, Profile, Segment};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 
 /// Strides down from a deep contact to the first crossing of a control's value, over the depth where they start; halvings of the last one.
@@ -14,7 +14,7 @@ const HALVINGS: u32 = 60;
 /// Rounding of a rate, over the value and the time.
 const SAME_PACE: f64 = 1e-14;
 
-pub(super) fn chain_of(material: &Material) -> Result<Chain, Refusal> {
+pub(super) fn chain_of(material: &PlaneMaterial) -> Result<Chain, Refusal> {
     let relaxed = material.solid_modulus("the relaxed contact")?;
     let creep: Vec<_> = material.creep_terms().iter().map(|term| (term.compliance, term.retardation_time)).collect();
     let relaxation: Vec<_> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();

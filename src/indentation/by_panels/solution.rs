@@ -14,7 +14,7 @@ use crate::indentation::assessment;
 use crate::indentation::checkpoint::{Checkpoint, RunState, Watch, foreign};
 use crate::indentation::summary::Summary;
 use crate::indentation::{Energies, Event, IndentationProblem, IndentationSolution, IndentationWork, PathPoint, SurfaceFields, Trace};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 
 /// Tolerance of the first path that is given, over the accuracy, and the loosest.
@@ -34,7 +34,7 @@ const HIGH_DEGREE: f64 = 1e-7;
 /// # Errors
 /// [`Refusal::Undefined`] for what is not solved here; [`Refusal::NoSuchState`] without a first contact; [`Refusal::NotConverged`] where the paths of every tolerance
 /// differ in kind.
-pub fn solve_by_panels(material: &Material, problem: &IndentationProblem) -> Result<IndentationSolution, Refusal> {
+pub fn solve_by_panels(material: &PlaneMaterial, problem: &IndentationProblem) -> Result<IndentationSolution, Refusal> {
     solve_by_panels_watched(material, problem, None, None)
 }
 
@@ -43,7 +43,7 @@ pub fn solve_by_panels(material: &Material, problem: &IndentationProblem) -> Res
 /// # Errors
 /// Those of [`solve_by_panels`]; [`Refusal::Undefined`] for a checkpoint of something else, or of time steps.
 pub fn solve_by_panels_watched(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     from: Option<Checkpoint>,
     watch: Option<&dyn Watch>,
@@ -57,7 +57,7 @@ pub fn solve_by_panels_watched(
 }
 
 pub(in crate::indentation) fn solve_from(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     from: Option<Box<PanelsState>>,
     watch: Option<&dyn Watch>,
@@ -99,7 +99,7 @@ pub(in crate::indentation) fn solve_from(
 ///
 /// # Errors
 /// Those of [`solve_by_panels`].
-pub fn path_by_panels(material: &Material, problem: &IndentationProblem, options: PanelOptions) -> Result<Trace, Refusal> {
+pub fn path_by_panels(material: &PlaneMaterial, problem: &IndentationProblem, options: PanelOptions) -> Result<Trace, Refusal> {
     let instants = kept_instants(problem);
     let outcome = integrated(material, problem, options, (&instants, false), &[])?;
     trace(&outcome, instants.len(), (options.tolerance, material.glassy_modulus()))
@@ -118,7 +118,7 @@ pub(super) fn options(tolerance: f64) -> [PanelOptions; 3] {
 
 /// The paths of one tolerance: the finest, the given one, the loosest.
 fn round(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     instants: &[f64],
     (run, mut integration): (&mut PathsState, Option<IntegrationState>),
@@ -182,7 +182,7 @@ fn reduction(traces: &[Trace]) -> f64 {
 
 /// The contact at a time of a history that has been solved here, and its surface by both paths, the better one first.
 pub(in crate::indentation) fn surface_at(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     solved: &Trace,
     time: f64,

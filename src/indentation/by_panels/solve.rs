@@ -8,7 +8,7 @@ use super::problem::{End, Outcome, Problem};
 use super::setup::{chain_of, control_of, drive_of, radius_of, started, supported};
 use super::start::elastic_start;
 use crate::indentation::{Controlled, IndentationProblem, Start};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::{Refusal, require_positive};
 
 /// Part of the widest contact that stands for δ where there is none: a length of first panels only.
@@ -29,7 +29,7 @@ pub struct PanelOptions {
 /// [`Refusal::Undefined`] for what this room does not solve yet, [`Refusal::NoSuchState`] without a first contact and for one that reaches beyond a table,
 /// [`Refusal::NotConverged`].
 pub fn integrate_by_panels(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     options: PanelOptions,
     instants: &[f64],
@@ -47,7 +47,7 @@ pub(super) struct Begun {
 
 /// Sets a problem up; `surface`: with the surface at the last of the instants; `stops`: segments that end early.
 pub(super) fn begun(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     options: PanelOptions,
     (instants, surface): (&[f64], bool),
@@ -117,7 +117,7 @@ pub(super) fn begun(
 
 /// One integration; `surface`: with the surface at the last of the instants; `stops`: segments that end early.
 pub(super) fn integrated(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     options: PanelOptions,
     instants: (&[f64], bool),
@@ -128,7 +128,7 @@ pub(super) fn integrated(
 
 /// The same from a checkpoint, observed.
 pub(super) fn integrated_from(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     options: PanelOptions,
     instants: (&[f64], bool),

@@ -11,7 +11,7 @@ use super::values::widened;
 use crate::continuation::curve::{CurveEquations, Quantity, linearized};
 use crate::continuation::fold::{CENTRAL_STEP, Differences, FoldPoint, between, located, part_at, shifted};
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{Indenter, Resolution};
 use crate::sliding::edge_balance::{EdgeStates, SlidingControl};
@@ -143,7 +143,7 @@ struct Solved {
 
 /// Solves a fold at one level and sees what it is off at the next, with longer differences as well, until that is below the accuracy.
 fn solved(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     quantity: FoldQuantity,
     (start, scales): ([f64; 3], [f64; 3]),
@@ -201,7 +201,7 @@ fn solved(
 /// # Errors
 /// [`Refusal::NotConverged`] if nothing turns there.
 pub(in crate::sliding) fn turn_near(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     quantity: FoldQuantity,
     start: [f64; 3],
@@ -212,7 +212,7 @@ pub(in crate::sliding) fn turn_near(
 
 /// The fold between two neighbouring points of a coarse curve.
 pub(super) fn located_fold(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     quantity: FoldQuantity,
     from: &Coarse,
@@ -252,7 +252,7 @@ pub(super) fn located_fold(
 /// The contact at given unknowns of a curve, with what their errors make of its values. Prescribed is the half-width or the mean pressure, whichever
 /// changes along the curve, so that a turn of the other is an ordinary contact.
 pub(super) fn contact_at(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     unknowns: [f64; 3],
     (pressure, by_pressure): (f64, bool),

@@ -5,7 +5,7 @@ use super::equations::BranchEquations;
 use crate::continuation::curve::{CurveEquations, tangent_of};
 use crate::continuation::fold::{CENTRAL_STEP, Differences, gradients};
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
@@ -35,7 +35,7 @@ pub struct LoadSlopes {
 /// # Errors
 /// Those of the contact; [`Refusal::Undefined`] if the branch is not one of loads.
 pub fn load_slopes(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     half_width: f64,
     start: Option<(f64, f64)>,

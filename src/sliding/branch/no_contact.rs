@@ -10,7 +10,7 @@ use super::end::BranchEnd;
 use super::fold::{Fold, FoldQuantity, Turn};
 use super::scan::{Scan, branches_through, contacts_at, scanned_parameters};
 use super::trace::{Branch, trace};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::equilibrium::ContactAt;
 use crate::sliding::steady::{SlidingWork, contact_on_the_curve};
@@ -73,7 +73,7 @@ impl SpeedFolds {
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem.
-pub fn speed_folds(material: &Material, problem: &BranchProblem) -> Result<SpeedFolds, Refusal> {
+pub fn speed_folds(material: &PlaneMaterial, problem: &BranchProblem) -> Result<SpeedFolds, Refusal> {
     problem.checked()?;
     let from = |start| trace(material, &BranchProblem { start, ..*problem });
     let slow = from(BranchStart::Slow);
@@ -121,7 +121,7 @@ pub fn speed_folds(material: &Material, problem: &BranchProblem) -> Result<Speed
 
 impl SpeedFolds {
     /// Follows branches from contacts that belong to no other.
-    fn follow(&mut self, material: &Material, problem: &BranchProblem, contacts: Vec<(f64, ContactAt)>) {
+    fn follow(&mut self, material: &PlaneMaterial, problem: &BranchProblem, contacts: Vec<(f64, ContactAt)>) {
         let (branches, left_over) = branches_through(material, problem, Vec::new(), contacts);
         self.isolated = branches;
         self.others = left_over.into_iter().map(|(contact, rate, refusal)| (rate, contact, refusal)).collect();
@@ -130,7 +130,7 @@ impl SpeedFolds {
 
 /// Whether neither end of the speeds carries the load, penetration or half-width that is held, by the equilibrium curves there: then all speeds are scanned.
 #[must_use]
-pub fn beyond_both_ends(material: &Material, problem: &BranchProblem) -> bool {
+pub fn beyond_both_ends(material: &PlaneMaterial, problem: &BranchProblem) -> bool {
     let BranchPath::Speeds(control) = problem.path else { return false };
     let carries = |rate: f64| contact_on_the_curve(material, &problem.steady(rate.ln(), control), &mut SlidingWork::default()).is_ok();
     problem.parameters.iter().all(|&rate| !carries(rate))

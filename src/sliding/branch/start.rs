@@ -4,7 +4,7 @@ use super::conditions::{BranchPath, BranchProblem, BranchStart};
 use super::scan::contacts_of;
 use super::stability::{SecondVariations, Stability};
 use super::trace::BranchWork;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
@@ -26,7 +26,7 @@ pub(super) fn place_of(problem: &BranchProblem, half_width: f64) -> f64 {
 }
 
 /// The unknowns at which a branch begins.
-pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
+pub(super) fn start(material: &PlaneMaterial, problem: &BranchProblem, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
     // What there is where no contact is found is shown by these very branches.
     let known_from_branches = !matches!(problem.path, BranchPath::Adhesions(_));
     let mut steady = |rate: f64, control: SlidingControl| -> Result<(PartialValues, f64), Refusal> {
@@ -94,7 +94,7 @@ fn at_start<'a>(problem: &BranchProblem<'a>, rate: f64, control: SlidingControl)
 
 /// A contact among all of a row of half-widths (along loads), or among all of the control that is held: a stable one if there is one, else that of the smallest
 /// eccentricity.
-fn by_scan(material: &Material, problem: &BranchProblem, refusal: Refusal, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
+fn by_scan(material: &PlaneMaterial, problem: &BranchProblem, refusal: Refusal, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
     if matches!(refusal, Refusal::OutOfRange { .. } | Refusal::Undefined { .. }) {
         return Err(refusal);
     }

@@ -16,7 +16,7 @@ use super::problem::SlidingProblem;
 use super::solution::{SlidingOutcome, SlidingWork};
 use super::solve::ReachedBy;
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::branch::{BranchEnd, BranchPath, BranchProblem, FoldQuantity, Impossible, Turn, trace, turn_near};
 use crate::sliding::contact::Indenter;
@@ -71,7 +71,7 @@ struct Limit {
 
 /// What there is instead of a stable contact of a load or penetration; none if that is not known.
 pub(super) fn beyond(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     curve: &EquilibriumCurve,
     (quantity, value): (HeldQuantity, f64),
@@ -197,7 +197,7 @@ pub(super) fn beyond_a_width(curve: &EquilibriumCurve, half_width: f64) -> Optio
 }
 
 /// The longest process zones with which there is a contact, if those asked for are longer.
-pub(super) fn beyond_a_zone(material: &Material, problem: &SlidingProblem<'_>, size: f64) -> Option<Refusal> {
+pub(super) fn beyond_a_zone(material: &PlaneMaterial, problem: &SlidingProblem<'_>, size: f64) -> Option<Refusal> {
     let adhesion = problem.adhesion?;
     let zone = adhesion.trailing_zone.max(adhesion.leading_zone);
     let half_widths = match problem.indenter {
@@ -232,7 +232,7 @@ pub(super) fn beyond_a_zone(material: &Material, problem: &SlidingProblem<'_>, s
 }
 
 /// The load at which a wave without adhesion is in full contact: that of full contact whose pressure vanishes somewhere, |E*(ω)| at ω = kv.
-pub(super) fn closing_pressure(material: &Material, prepared: &Prepared) -> Result<f64, Refusal> {
+pub(super) fn closing_pressure(material: &PlaneMaterial, prepared: &Prepared) -> Result<f64, Refusal> {
     if prepared.is_elastic() {
         return Ok(1.0);
     }

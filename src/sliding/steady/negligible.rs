@@ -7,7 +7,7 @@ use super::problem::SlidingProblem;
 use super::solution::{PartialContact, PartialValues, SlidingOutcome, SlidingWork};
 use super::solve::contact_on_the_curve;
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::WaveAdhesion;
 
@@ -24,14 +24,14 @@ const LONGEST_ZONE: f64 = 1e-2;
 const SAFETY: f64 = 3.0;
 
 /// Whether adhesion may be that weak in a wide contact.
-pub(super) fn may_be_negligible(material: &Material, adhesion: WaveAdhesion) -> bool {
+pub(super) fn may_be_negligible(material: &PlaneMaterial, adhesion: WaveAdhesion) -> bool {
     (material.glassy_modulus() / material.relaxed_modulus() * adhesion.larger_work()).sqrt() < NEGLIGIBLE
 }
 
 /// The contact without an adhesion that is too weak for its edges to be resolved; none if it is not, or if nothing but adhesion holds the contact.
 pub(super) fn without_negligible_adhesion(
     found: bool,
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     work: &mut SlidingWork,
 ) -> Option<SlidingOutcome> {
@@ -40,7 +40,7 @@ pub(super) fn without_negligible_adhesion(
 
 fn without_adhesion_below(
     negligible: f64,
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     work: &mut SlidingWork,
 ) -> Option<SlidingOutcome> {
@@ -111,7 +111,7 @@ fn felt(adhesion: WaveAdhesion, factor: f64, half_width: f64) -> WaveAdhesion {
     }
 }
 
-fn partial(material: &Material, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Option<PartialContact> {
+fn partial(material: &PlaneMaterial, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Option<PartialContact> {
     contact_on_the_curve(material, problem, work).ok()
 }
 
@@ -125,7 +125,7 @@ mod tests {
     /// Weak adhesion that is still felt: its own roots against what is said without it.
     #[test]
     fn bounds_cover_what_negligible_adhesion_changes() {
-        let material = Material::standard_solid(1.0, 30.0, 1.0).expect("a material");
+        let material = PlaneMaterial::standard_solid(1.0, 30.0, 1.0).expect("a material");
         let mut widest: f64 = 0.0;
         for indenter in [Indenter::Wave, Indenter::Parabola] {
             for control in [SlidingControl::MeanPressure(0.2), SlidingControl::HalfWidth(0.9)] {
@@ -162,7 +162,7 @@ mod tests {
 
     #[test]
     fn adhesion_that_matters_is_not_negligible() {
-        let material = Material::elastic(1.0).expect("a material");
+        let material = PlaneMaterial::elastic(1.0).expect("a material");
         let adhesion = Some(WaveAdhesion::even(1e-12, 1e-9));
         let control = SlidingControl::HalfWidth(1.0);
         let problem = SlidingProblem { rate: 0.0, indenter: Indenter::Wave, adhesion, work_by_speed: None, control, accuracy: 1e-9 };

@@ -13,7 +13,7 @@ use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{ContactStability, PartialContact, SlidingOutcome, SlidingWork};
 use super::start::Start;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::branch::{SecondVariations, Stability};
 use crate::sliding::contact::{Indenter, Resolution, WaveContact};
@@ -42,7 +42,7 @@ pub enum ReachedBy {
 ///
 /// # Errors
 /// As [`steady_sliding_reached_by`].
-pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
+pub fn steady_sliding(material: &PlaneMaterial, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
     steady_sliding_reached_by(material, problem, ReachedBy::Loading)
 }
 
@@ -52,7 +52,7 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Resu
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off, and where an edge would be pressed or the faces would
 /// meet; [`Refusal::NotConverged`] is a defect.
 pub fn steady_sliding_reached_by(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     reached_by: ReachedBy,
 ) -> Result<SlidingOutcome, Refusal> {
@@ -89,7 +89,7 @@ enum Searched {
 /// # Errors
 /// [`Refusal::NoSuchState`] if there is none; as [`steady_sliding`].
 pub(in crate::sliding) fn contact_on_the_curve(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     work: &mut SlidingWork,
 ) -> Result<PartialContact, Refusal> {
@@ -110,7 +110,7 @@ pub(in crate::sliding) fn contact_on_the_curve(
 
 /// The contact on the equilibrium curve.
 fn searched(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     prepared: &Prepared,
     reached_by: ReachedBy,
@@ -259,7 +259,7 @@ fn of_width(problem: &SlidingProblem<'_>, prepared: &Prepared, half_width: f64, 
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NotConverged`] if no admissible contact is near.
-pub fn steady_sliding_near(material: &Material, problem: &SlidingProblem<'_>, start: &Start) -> Result<PartialContact, Refusal> {
+pub fn steady_sliding_near(material: &PlaneMaterial, problem: &SlidingProblem<'_>, start: &Start) -> Result<PartialContact, Refusal> {
     let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
     near_counted(&prepared, problem, start, &mut SlidingWork::default())
 }

@@ -41,8 +41,7 @@ fn zone(kind: &str, numbers: &Numbers) -> PyResult<ProcessZone> {
 
 /// A steady crack at a speed, or under a drive: theory `virtual_work`, `persson_brener` or `cohesive_zone` (zone: the cohesive stress alone).
 #[pyfunction]
-#[pyo3(signature = (material, motion_word, theory, work_of_adhesion, zone_kind, zone_numbers, speed = None, drive = None, body_word = "against_rigid", tolerance =
-# 1e-15))]
+#[pyo3(signature = (material, motion_word, theory, work_of_adhesion, zone_kind, zone_numbers, speed = None, drive = None, body_word = "against_rigid", tolerance = 1e-15))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python function")]
 fn steady_crack<'py>(
     py: Python<'py>,

@@ -99,8 +99,7 @@ fn prescribed_contact<'py>(
 
 /// A history solved to an accuracy, or, with a `tolerance`, one integration. `segments` are (control, end, duration).
 #[pyfunction]
-#[pyo3(signature = (material, kind, numbers, start_word, control, start_value, segments, work_of_adhesion = None, process_zone = None, frame_stiffness = None,
-# instants_per_segment = 1, accuracy = 1e-4, energies = false, tolerance = None))]
+#[pyo3(signature = (material, kind, numbers, start_word, control, start_value, segments, work_of_adhesion = None, process_zone = None, frame_stiffness = None, instants_per_segment = 1, accuracy = 1e-4, energies = false, tolerance = None))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python function")]
 fn indentation<'py>(
     py: Python<'py>,

@@ -14,7 +14,7 @@
 //! [`viscotack::crack::delayed`], neither the collapse nor the memory; the same in Python is `verification/references/delayed_fracture.py`.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::{Refusal, require_positive};
 
 /// Trials of one place.
@@ -58,7 +58,7 @@ impl GrowthStepping {
     /// # Errors
     /// [`Refusal::OutOfRange`] for a number that is not positive; [`Refusal::NotConverged`] where a place is not found, as under a load at the
     /// glassy limit.
-    pub fn run(&self, material: &Material) -> Result<SteppedGrowth, Refusal> {
+    pub fn run(&self, material: &PlaneMaterial) -> Result<SteppedGrowth, Refusal> {
         require_positive("work_of_adhesion", self.work_of_adhesion)?;
         let zone = require_positive("process_zone", self.process_zone)?;
         require_positive("intensity", self.intensity)?;

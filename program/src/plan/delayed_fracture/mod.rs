@@ -18,7 +18,7 @@ use crate::scene::typed::{CohesiveLaw, DelayedFracture, PoissonRatio, ProcessZon
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Resolution};
 use viscotack::crack::{Interface, ProcessZone};
 use viscotack::elastic::PureShearStrip;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// A crack under a load history, ready to be solved.
@@ -26,7 +26,7 @@ use viscotack::refusal::Refusal;
 pub(super) struct DelayedFracturePlan {
     crack: DelayedFracture,
     /// Both series with plane moduli.
-    plane_material: Material,
+    plane_material: PlaneMaterial,
     youngs_relaxed_modulus: f64,
     poisson_ratio: PoissonRatio,
     strip: Option<PureShearStrip>,

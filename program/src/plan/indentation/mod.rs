@@ -40,7 +40,7 @@ use known::Known;
 use scale::Scale;
 use timeline::Timeline;
 use viscotack::indentation::Profile;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// An indenter in time, ready to be solved.
@@ -48,7 +48,7 @@ use viscotack::refusal::Refusal;
 pub(super) struct IndentationPlan {
     indentation: Indentation,
     /// In moduli E* = E/(1 − ν²).
-    material: Material,
+    material: PlaneMaterial,
     /// E0*.
     relaxed: f64,
     /// η* of a liquid. With adhesion its flow is an element of a retardation time of [`LONG`] histories.

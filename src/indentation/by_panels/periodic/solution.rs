@@ -12,7 +12,7 @@ use super::settled::{Settled, add, settled};
 use super::sinus::Sinus;
 use crate::estimate::Estimate;
 use crate::indentation::{Controlled, Cycle, IndentationProblem, IndentationSolution, IndentationWork, Instant, Segment, Start, Trace};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use std::f64::consts::TAU;
 
@@ -80,7 +80,7 @@ impl PeriodicState {
 /// # Errors
 /// [`Refusal::Undefined`] for another history, for what panels do not solve, and for an edge that jumps or turns more than twice a cycle; [`Refusal::NoSuchState`]
 /// where the contact lets go within a cycle; [`Refusal::NotConverged`].
-pub fn solve_periodic(material: &Material, problem: &IndentationProblem, instants: u32) -> Result<PeriodicState, Refusal> {
+pub fn solve_periodic(material: &PlaneMaterial, problem: &IndentationProblem, instants: u32) -> Result<PeriodicState, Refusal> {
     problem.checked()?;
     let (sinus, period) = sinus(problem)?;
     let history = problem.history.segments.iter().map(|segment| Segment { duration: period, ..*segment }).collect();
@@ -151,7 +151,7 @@ struct Found {
 }
 
 fn found(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     (sinus, period): (Sinus, f64),
     (options, instants): (PanelOptions, u32),
@@ -210,7 +210,7 @@ fn found(
 }
 
 fn compared(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     (sinus, period): (Sinus, f64),
     (tolerance, instants): (f64, u32),

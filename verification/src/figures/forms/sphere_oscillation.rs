@@ -8,7 +8,7 @@ use super::super::table::Table;
 use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
 use viscotack::indentation::{Adhesion, FrequencySweep, History, IndentationProblem, Oscillation, Profile, Start, integrate};
-use viscotack::material::{Material, RelaxationTerm};
+use viscotack::material::{PlaneMaterial, RelaxationTerm};
 use viscotack::refusal::Refusal;
 
 /// Points of a path that are kept.
@@ -38,7 +38,7 @@ pub(in crate::figures) struct SphereOscillation {
 impl SphereOscillation {
     pub(super) fn table(&self) -> Result<Table, Refusal> {
         let term = RelaxationTerm { modulus: self.stiffening_ratio - 1.0, relaxation_time: 1.0 };
-        let material = Material::from_relaxation(1.0, &[term])?;
+        let material = PlaneMaterial::from_relaxation(1.0, &[term])?;
         let work = PI * self.work_of_adhesion;
         let adhesion = Adhesion { work_of_adhesion: work, process_zone: self.process_zone };
         let history = History::penetration(self.penetration);

@@ -7,7 +7,7 @@ use super::super::table::Table;
 use serde::Deserialize;
 use std::f64::consts::PI;
 use viscotack::indentation::{Adhesion, Energies, History, IndentationProblem, PathPoint, Profile, run};
-use viscotack::material::{Material, RelaxationTerm};
+use viscotack::material::{PlaneMaterial, RelaxationTerm};
 use viscotack::refusal::Refusal;
 
 /// See the module.
@@ -36,7 +36,7 @@ pub(in crate::figures) struct SphereRelease {
 impl SphereRelease {
     pub(super) fn table(&self) -> Result<Table, Refusal> {
         let term = RelaxationTerm { modulus: self.stiffening_ratio - 1.0, relaxation_time: 1.0 };
-        let material = Material::from_relaxation(1.0, &[term])?;
+        let material = PlaneMaterial::from_relaxation(1.0, &[term])?;
         let work = PI * self.work_of_adhesion;
         let adhesion = Adhesion { work_of_adhesion: work, process_zone: self.process_zone };
         let mut columns = [const { Vec::new() }; 4];

@@ -9,7 +9,7 @@ use viscotack::crack::persson_brener::PerssonBrener;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve, SteadyState, at_drive, at_speed};
 use viscotack::estimate::Estimate;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// Tolerances of the root, in turn.
@@ -19,7 +19,7 @@ const TIGHTEST: f64 = 1e-15;
 
 /// A crack of one of three theories, by speed or by a load between its limits.
 struct Asked {
-    material: Material,
+    material: PlaneMaterial,
     motion: Motion,
     interface: Interface,
     theory: usize,

@@ -10,7 +10,7 @@ use viscotack::crack::delayed::{
 };
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::estimate::Estimate;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// Lines a zone of the coarsest run, in turn: the fewest that a scene takes, and twice as many.
@@ -23,7 +23,7 @@ const MOST_STEPS: u64 = 20_000_000;
 const CLOSED: f64 = 1e-12;
 
 struct Asked {
-    material: Material,
+    material: PlaneMaterial,
     interface: Interface,
     history: LoadHistory,
     times: Vec<f64>,
@@ -179,7 +179,7 @@ fn against_known(draw: &mut Draw, lines: u32, assessed: &mut Assessed) -> Result
 }
 
 /// Relative error of a start whose load is rounded: dln t/dln K = 2J/(t dJ/dt), a few ulp of K.
-fn sensitive_to_load(material: &Material, time: f64) -> f64 {
+fn sensitive_to_load(material: &PlaneMaterial, time: f64) -> f64 {
     let rate = material.creep_rate(time) * time;
     8.0 * f64::EPSILON * (1.0 + 2.0 * material.creep(time) / rate)
 }

@@ -5,7 +5,7 @@ use super::super::known_states::sliding::{KNOWN_TO, known_contact};
 use super::tally::{Assessed, Compared, Truth};
 use super::{ANOTHER_ROUTE, SEED};
 use viscotack::estimate::Estimate;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::steady::{
     Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, SlidingWork, WaveAdhesion, steady_sliding,
@@ -24,11 +24,11 @@ const ANOTHER_CONTACT: f64 = 1e-3;
 ///
 /// # Errors
 /// Those of making a material.
-pub fn drawn(draw: &mut Draw) -> Result<(Material, SlidingProblem<'static>), Refusal> {
+pub fn drawn(draw: &mut Draw) -> Result<(PlaneMaterial, SlidingProblem<'static>), Refusal> {
     let terms = [1, 2, 6, 12][draw.below(4)];
     let beta = draw.log_between(1.1, 1000.0);
     let (relaxed, longest, decades) = (draw.log_between(1e3, 1e9), draw.log_between(1e-4, 1e4), draw.between(0.3, 8.0));
-    let material = if draw.chance(0.05) { Material::elastic(relaxed)? } else { draw.solid(relaxed, beta, longest, terms, decades)? };
+    let material = if draw.chance(0.05) { PlaneMaterial::elastic(relaxed)? } else { draw.solid(relaxed, beta, longest, terms, decades)? };
     let indenter = if draw.chance(0.75) { Indenter::Wave } else { Indenter::Parabola };
     let (work, zones) = (draw.log_between(1e-4, 0.05), [draw.log_between(1e-4, 0.03), draw.log_between(1e-4, 0.03)]);
     let adhesion = draw.chance(0.8).then_some(WaveAdhesion {

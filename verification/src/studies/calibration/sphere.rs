@@ -9,7 +9,7 @@ use viscotack::estimate::Estimate;
 use viscotack::indentation::{
     Adhesion, Controlled, Energies, Event, EventKind, History, IndentationProblem, Instant, PathPoint, Profile, Trace, integrate, run,
 };
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// Accuracies asked for, in turn.
@@ -27,7 +27,7 @@ pub(super) const WITH_ENERGIES: f64 = 0.25;
 /// Textbook fields by quadrature, over the scale.
 const BY_FIELDS: f64 = 1e-9;
 
-fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(Material, IndentationProblem), Refusal> {
+fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(PlaneMaterial, IndentationProblem), Refusal> {
     let (modulus, radius, time) = (draw.log_between(1e-2, 1e7), draw.log_between(1e-4, 1e2), draw.log_between(1e-3, 1e3));
     let (beta, terms) = (draw.log_between(1.5, 300.0), 1 + draw.below(4));
     let material = draw.solid(modulus, beta, time, terms, 1.3 * terms as f64)?;
@@ -56,7 +56,7 @@ fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(Material, IndentationProblem
 ///
 /// # Errors
 /// A drawn number out of range; none is.
-pub fn problem(scene: u64, accuracy: f64) -> Result<(Material, IndentationProblem), Refusal> {
+pub fn problem(scene: u64, accuracy: f64) -> Result<(PlaneMaterial, IndentationProblem), Refusal> {
     drawn(&mut Draw::of(SEED ^ 5, scene), accuracy)
 }
 
@@ -67,7 +67,7 @@ pub fn assessed(scene: u64) -> Assessed {
 }
 
 /// A way to draw a scene for an accuracy.
-pub(super) type Drawn = fn(&mut Draw, f64) -> Result<(Material, IndentationProblem), Refusal>;
+pub(super) type Drawn = fn(&mut Draw, f64) -> Result<(PlaneMaterial, IndentationProblem), Refusal>;
 
 /// A scene from a stream, for one of some accuracies, drawn in a way unless its state is drawn first.
 pub(super) fn assessed_of(mut draw: Draw, scene: u64, accuracies: &[f64], drawn: Drawn) -> Assessed {
@@ -164,7 +164,7 @@ const EVENTS: [OfEvents; 11] = [
     of_events!("energy release rate", event => event.energy_release_rate, point => energies(point).tip_release_rate),
 ];
 
-fn against_tighter((material, problem): &(Material, IndentationProblem), assessed: &mut Assessed) -> Result<Vec<Compared>, Refusal> {
+fn against_tighter((material, problem): &(PlaneMaterial, IndentationProblem), assessed: &mut Assessed) -> Result<Vec<Compared>, Refusal> {
     assessed.described = format!("{material:?} {problem:?}");
     let found = run(material, problem)?;
     let tolerance = (TIGHTER * found.integration.tolerance).max(TIGHTEST);

@@ -6,7 +6,7 @@ use super::super::draw::Draw;
 use super::tally::{Assessed, Compared, Truth};
 use super::{ANOTHER_ROUTE, SEED};
 use viscotack::estimate::Estimate;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::{BranchProblem, Strength, strength};
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
@@ -20,7 +20,7 @@ const STEP: f64 = 0.004;
 /// What five half-widths know of the least load, over one: the sixth difference of the load, h⁴ of its own size, and the bounds of the five.
 const BY_WIDTHS: f64 = 3e-8;
 
-fn drawn(draw: &mut Draw) -> Result<(Material, BranchProblem<'static>), Refusal> {
+fn drawn(draw: &mut Draw) -> Result<(PlaneMaterial, BranchProblem<'static>), Refusal> {
     let terms = 1 + draw.below(3);
     let (beta, longest, decades) = (draw.log_between(1.5, 30.0), draw.log_between(1e-3, 1e3), draw.between(0.3, 3.0));
     let relaxed = draw.log_between(1e3, 1e9);
@@ -75,14 +75,14 @@ pub fn assessed(scene: u64) -> Assessed {
 }
 
 /// Pull-off as the least load of five half-widths.
-fn by_widths(material: &Material, problem: &BranchProblem<'_>, found: &Strength) -> Option<Compared> {
+fn by_widths(material: &PlaneMaterial, problem: &BranchProblem<'_>, found: &Strength) -> Option<Compared> {
     let fold = found.pull_off.as_ref()?;
     let least = least_load(material, problem, fold.contact.half_width.value, STEP)?;
     Some(Compared { quantity: "pull-off", found: fold.value, truth: Estimate::new(least, BY_WIDTHS), scale: 1.0, floor: 0.0 })
 }
 
 /// The least load of contacts of five held half-widths, `step` over the middle one apart; none if it is not among them.
-pub(in crate::studies) fn least_load(material: &Material, problem: &BranchProblem<'_>, middle: f64, step: f64) -> Option<f64> {
+pub(in crate::studies) fn least_load(material: &PlaneMaterial, problem: &BranchProblem<'_>, middle: f64, step: f64) -> Option<f64> {
     let load = |part: f64| -> Option<f64> {
         let asked = SlidingProblem {
             rate: problem.rate,

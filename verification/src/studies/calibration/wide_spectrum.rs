@@ -7,7 +7,7 @@ use super::tally::Assessed;
 use super::{SEED, sphere};
 use std::f64::consts::PI;
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Profile, run};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// Accuracies asked for, in turn.
@@ -17,7 +17,7 @@ const MOST_TERMS: usize = 20;
 /// Decades between the times at most.
 const DECADES: f64 = 12.0;
 
-fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(Material, IndentationProblem), Refusal> {
+fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(PlaneMaterial, IndentationProblem), Refusal> {
     let (modulus, radius, time) = (draw.log_between(1e-2, 1e7), draw.log_between(1e-4, 1e2), draw.log_between(1e-3, 1e3));
     let (beta, terms) = (1.0 + draw.log_between(0.25, 1e3), 1 + draw.below(MOST_TERMS));
     // More wide ones than narrow.
@@ -49,7 +49,7 @@ fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(Material, IndentationProblem
 ///
 /// # Errors
 /// A drawn number out of range; none is.
-pub fn problem(scene: u64, accuracy: f64) -> Result<(Material, IndentationProblem), Refusal> {
+pub fn problem(scene: u64, accuracy: f64) -> Result<(PlaneMaterial, IndentationProblem), Refusal> {
     drawn(&mut Draw::of(SEED ^ 6, scene), accuracy)
 }
 

@@ -8,7 +8,7 @@ use crate::studies::section::{Check, Effort, Progress, Section};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, integrate};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// γ̃ = 1.6e-4, δ̃ = 0.013, β = 10 (thesis chapter 4), E0* = R = ρ = 1, τ = 10.
@@ -28,8 +28,8 @@ const LOOSEST: f64 = 1e-2;
 const START: f64 = 3.280_536_944_6e-2;
 
 /// β = 10, τ = 10.
-pub(in crate::studies) fn solid() -> Result<Material, Refusal> {
-    Material::standard_solid(1.0, 10.0, 10.0)
+pub(in crate::studies) fn solid() -> Result<PlaneMaterial, Refusal> {
+    PlaneMaterial::standard_solid(1.0, 10.0, 10.0)
 }
 
 /// The retraction at an accuracy.

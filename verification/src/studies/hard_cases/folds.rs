@@ -10,7 +10,7 @@ use std::sync::Arc;
 use viscotack::elastic::johnson_wave::WaveBranch;
 use viscotack::elastic::{Control, JohnsonWave, WestergaardWave};
 use viscotack::estimate::Estimate;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::{BranchProblem, BranchStart, SpeedFolds, contacts_of_width, speed_folds, strength, trace};
 use viscotack::sliding::contact::{ContactMemory, Indenter, Resolution};
@@ -21,8 +21,8 @@ use viscotack::sliding::steady::{
 
 const PROBLEM: &str = "sliding folds";
 
-fn solid(beta: f64) -> Result<Material, Refusal> {
-    if beta > 1.0 { Material::standard_solid(1.0, beta, 1.0) } else { Material::elastic(1.0) }
+fn solid(beta: f64) -> Result<PlaneMaterial, Refusal> {
+    if beta > 1.0 { PlaneMaterial::standard_solid(1.0, beta, 1.0) } else { PlaneMaterial::elastic(1.0) }
 }
 
 fn wave(rate: f64, adhesion: WaveAdhesion, control: SlidingControl) -> SlidingProblem<'static> {
@@ -225,7 +225,7 @@ fn largest_load(beta: f64, rate: f64, adhesion: WaveAdhesion) -> f64 {
 
 /// The half-width of the contact that grows out of the slow one: the curve by arclength up to the rate, and the contact next to where it gets there; NaN if it folds
 /// before.
-fn slow_contact(material: &Material, load: f64, adhesion: WaveAdhesion, rate: f64) -> f64 {
+fn slow_contact(material: &PlaneMaterial, load: f64, adhesion: WaveAdhesion, rate: f64) -> f64 {
     let control = SlidingControl::MeanPressure(load);
     let problem = BranchProblem::speeds(control, [1e-6, 2.0 * rate], BranchStart::Slow, adhesion, 1e-9);
     let Ok(branch) = trace(material, &problem) else { return f64::NAN };

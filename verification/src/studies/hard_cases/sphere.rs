@@ -10,7 +10,7 @@ use viscotack::estimate::Estimate;
 use viscotack::indentation::{
     Adhesion, Controlled, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, run,
 };
-use viscotack::material::{Material, RelaxationTerm};
+use viscotack::material::{PlaneMaterial, RelaxationTerm};
 use viscotack::refusal::Refusal;
 
 const PROBLEM: &str = "indentation";
@@ -24,8 +24,8 @@ fn adhesion(process_zone: f64) -> Option<Adhesion> {
 }
 
 /// ρ = 1, E0 = 1.
-fn rubber(beta: f64) -> Result<Material, Refusal> {
-    if beta > 1.0 { Material::standard_solid(1.0, beta, beta) } else { Material::elastic(1.0) }
+fn rubber(beta: f64) -> Result<PlaneMaterial, Refusal> {
+    if beta > 1.0 { PlaneMaterial::standard_solid(1.0, beta, beta) } else { PlaneMaterial::elastic(1.0) }
 }
 
 fn asked(adhesion: Option<Adhesion>, history: History, accuracy: f64) -> IndentationProblem {
@@ -329,7 +329,7 @@ fn forces() -> Vec<HardCase> {
             "a relaxed start does not exist",
             vec![Expected::Refused(Kind::Undefined)],
             || {
-                let material = Material::from_relaxation(0.0, &[RelaxationTerm { modulus: 1.0, relaxation_time: 1.0 }])?;
+                let material = PlaneMaterial::from_relaxation(0.0, &[RelaxationTerm { modulus: 1.0, relaxation_time: 1.0 }])?;
                 Ok(reported(&run(&material, &asked(adhesion(ZONE), History::penetration(0.02).hold(1.0), 1e-3).relaxed())?))
             },
         ),

@@ -1,7 +1,7 @@
 //! The solver's answer, as far as it is compared: the one file that knows its library interface.
 
 use super::states::Reached;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::Stability;
 use viscotack::sliding::contact::Indenter;
@@ -32,7 +32,7 @@ pub enum Answer {
 
 /// Asks the solver.
 #[must_use]
-pub fn answer(material: &Material, problem: &SlidingProblem<'_>, reached: Reached) -> Answer {
+pub fn answer(material: &PlaneMaterial, problem: &SlidingProblem<'_>, reached: Reached) -> Answer {
     let by = if reached == Reached::Loading { ReachedBy::Loading } else { ReachedBy::Unloading };
     match steady_sliding_reached_by(material, problem, by) {
         Ok(SlidingOutcome::Partial(found)) => {

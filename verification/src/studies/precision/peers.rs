@@ -8,7 +8,7 @@ use crate::studies::stored::stored_runs;
 use crate::studies::timing::{Timed, timed};
 use std::f64::consts::PI;
 use viscotack::indentation::{Contact, Profile, Springs, Sweep};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, steady_sliding};
 
@@ -34,7 +34,7 @@ fn elastic_wave() -> Result<f64, Refusal> {
         control: SlidingControl::MeanPressure(pressure),
         accuracy: 1e-12,
     };
-    let SlidingOutcome::Partial(found) = steady_sliding(&Material::elastic(1.1e6)?, &problem)? else {
+    let SlidingOutcome::Partial(found) = steady_sliding(&PlaneMaterial::elastic(1.1e6)?, &problem)? else {
         return Err(Refusal::Undefined { quantity: "the edges", reason: "full contact".into() });
     };
     let square = pressure;

@@ -7,7 +7,7 @@ use crate::studies::convergence::stored_sliding::material_of;
 use crate::studies::reference::{SLIDING_WAVE, rows};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::timing::{Timed, timed};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
 use viscotack::sliding::steady::{
@@ -27,7 +27,7 @@ const ACCURACIES: [f64; 7] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-11, 1e-12];
 
 /// A stored contact of another program.
 pub(super) struct State {
-    pub(super) material: Material,
+    pub(super) material: PlaneMaterial,
     pub(super) memory: ContactMemory,
     pub(super) adhesion: WaveAdhesion,
     pub(super) pressure: f64,
