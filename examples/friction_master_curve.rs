@@ -6,7 +6,6 @@ use std::error::Error;
 use std::f64::consts::TAU;
 use viscotack::PlaneMaterial;
 use viscotack::material::RelaxationTerm;
-use viscotack::sliding::contact::Indenter;
 use viscotack::sliding::steady::{SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -18,8 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let friction = |material: &PlaneMaterial, speed: f64| -> Result<String, viscotack::Refusal> {
         let control = SlidingControl::MeanPressure(0.1);
         let rate = TAU / wave_length * speed;
-        let problem =
-            SlidingProblem { rate, indenter: Indenter::Wave, adhesion: Some(adhesion), work_by_speed: None, control, accuracy: 1e-9 };
+        let problem = SlidingProblem::wave(rate, Some(adhesion), control, 1e-9);
         Ok(match steady_sliding(material, &problem)? {
             SlidingOutcome::Partial(contact) => {
                 format!("{:.6} ± {:.0e}", contact.values.friction_stress.value, contact.values.friction_stress.error)

@@ -73,17 +73,10 @@
 //! # A sliding contact
 //! ```
 //! use viscotack::PlaneMaterial;
-//! use viscotack::sliding::contact::Indenter;
 //! use viscotack::sliding::steady::{SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 //! let solid = PlaneMaterial::standard_solid(1.0, 10.0, 0.1)?; // only E/E0 and kvτ count
-//! let problem = SlidingProblem {
-//!     rate: 1.0, // kv
-//!     indenter: Indenter::Wave,
-//!     adhesion: Some(WaveAdhesion::even(0.002, 1e-3)), // Γ, δ
-//!     work_by_speed: None,
-//!     control: SlidingControl::MeanPressure(0.1),
-//!     accuracy: 1e-9,
-//! };
+//! let adhesion = WaveAdhesion::even(0.002, 1e-3); // Γ, δ
+//! let problem = SlidingProblem::wave(1.0, Some(adhesion), SlidingControl::MeanPressure(0.1), 1e-9); // kv, …, accuracy
 //! let SlidingOutcome::Partial(contact) = steady_sliding(&solid, &problem)? else { panic!("full contact") };
 //! // Friction is what the two edges release differently and what the bulk loses: it opposes the motion.
 //! assert!(contact.values.friction_stress.value > 0.0 && contact.values.friction_stress.error < 1e-9);

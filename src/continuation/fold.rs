@@ -10,7 +10,7 @@ use crate::refusal::Refusal;
 use nalgebra::{Matrix3, Vector3};
 
 /// Step of the central differences, in scaled unknowns: truncation (5e-4)⁴ or (5e-4)², rounding 1e-16/5e-4.
-pub const CENTRAL_STEP: f64 = 5e-4;
+pub(crate) const CENTRAL_STEP: f64 = 5e-4;
 /// Step of the Jacobian of the fold equations.
 const OUTER_STEP: f64 = 1e-4;
 /// Central differences of a gradient: how far apart, in scaled unknowns, and of which order.
@@ -76,7 +76,7 @@ pub struct FoldShift {
 ///
 /// # Errors
 /// Those of the equations.
-pub fn gradients<E: CurveEquations>(
+pub(crate) fn gradients<E: CurveEquations>(
     equations: &E,
     unknowns: [f64; 3],
     scales: [f64; 3],
@@ -145,7 +145,7 @@ pub fn interpolated<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, part: f64) -> [
 
 /// The part of the way between two points of a curve at which the interpolated curve has a value of one unknown; that of the chord if the value is not between.
 #[must_use]
-pub fn part_at<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, index: usize, value: f64) -> f64 {
+pub(crate) fn part_at<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, index: usize, value: f64) -> f64 {
     let off = |part: f64| interpolated(from, to, part).get(index).map_or(f64::NAN, |unknown| unknown - value);
     let (begin, end) = (off(0.0), off(1.0));
     if begin * end >= 0.0 || begin.is_nan() || end.is_nan() {

@@ -12,7 +12,7 @@
 use crate::refusal::Refusal;
 
 /// Bisection alone closes a bracket of 600 decades to one ulp in 64 steps; Newton needs four to eight.
-pub const MOST_EVALUATIONS: u32 = 200;
+pub(crate) const MOST_EVALUATIONS: u32 = 200;
 
 /// A root with the evidence that it is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +42,7 @@ pub struct LogSlope {
 /// # Errors
 /// [`Refusal::OutOfRange`] for an empty bracket; [`Refusal::NotConverged`] when the function is not a number, or when no root was
 /// closed in on within [`MOST_EVALUATIONS`].
-pub fn increasing_root(
+pub(crate) fn increasing_root(
     what: &'static str,
     mut function: impl FnMut(f64) -> LogSlope,
     [lower, upper]: [f64; 2],

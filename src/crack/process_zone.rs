@@ -144,7 +144,7 @@ impl Interface {
 
 /// N = ∫₀¹ J(T(1 − r)) r^{−1/2} dr (1/Pa): the mean that a constant closing stress forms of the creep function.
 #[must_use]
-pub fn closing_intensity_mean(material: &PlaneMaterial, crossing_time: f64) -> WeightedMean {
+pub(crate) fn closing_intensity_mean(material: &PlaneMaterial, crossing_time: f64) -> WeightedMean {
     // Flow: ∫ (1 − r) r^{−1/2} dr = 4/3.
     material.creep_mean(crossing_time, 2.0, 4.0 / 3.0, |z| (closing_intensity_kernel(z), closing_intensity_kernel_slope(z)))
 }

@@ -38,11 +38,11 @@ pub struct HertzSphere {
 /// One equilibrium of [`HertzSphere`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzState {
-    /// Radius of the contact circle.
+    /// Radius of the contact circle (m).
     pub contact_radius: f64,
-    /// Displacement of the sphere into the half-space.
+    /// Displacement of the sphere into the half-space (m).
     pub penetration: f64,
-    /// Compressive force.
+    /// Compressive force (N).
     pub force: f64,
 }
 

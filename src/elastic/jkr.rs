@@ -56,11 +56,11 @@ pub struct JkrSphere {
 /// One equilibrium of [`JkrSphere`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JkrState {
-    /// Radius of the contact circle.
+    /// Radius of the contact circle (m).
     pub contact_radius: f64,
-    /// Displacement of the sphere into the half-space; negative when it is held above the undeformed surface.
+    /// Displacement of the sphere into the half-space (m); negative when it is held above the undeformed surface.
     pub penetration: f64,
-    /// Compressive force; negative when pulled.
+    /// Compressive force (N); negative when pulled.
     pub force: f64,
     /// Bound on the relative error of `contact_radius` from rounding, the last bit of the imposed value included.
     pub relative_error: f64,

@@ -22,7 +22,7 @@ pub enum Controlled {
 pub struct Segment {
     /// How long (s); zero is a step.
     pub duration: f64,
-    /// The value at its end, reached linearly from the present one.
+    /// The value at its end (m or N), reached linearly from the present one.
     pub end: f64,
     /// Of what.
     pub controlled: Controlled,
@@ -151,7 +151,7 @@ impl History {
 
     /// Whether one quantity is controlled throughout, and never rises.
     #[must_use]
-    pub fn only_withdraws(&self) -> bool {
+    pub(crate) fn only_withdraws(&self) -> bool {
         let mut last = self.start;
         self.segments.iter().all(|segment| {
             let falls = segment.controlled == self.controlled && segment.oscillation.is_none() && segment.end <= last;

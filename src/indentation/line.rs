@@ -284,7 +284,7 @@ impl<'a> Contact<'a> {
 
     /// W on the panels outside the contact, on to `end` (m).
     #[must_use]
-    pub fn free_displacement(&self, end: f64) -> Vec<Panel> {
+    pub(crate) fn free_displacement(&self, end: f64) -> Vec<Panel> {
         let cells = self.cells.iter().enumerate().filter(|(_, cell)| !cell.bonded);
         let mut panels: Vec<Panel> =
             cells.map(|(index, cell)| Panel { lower: cell.low, upper: cell.high, values: self.strain_sums(index) }).collect();
@@ -297,7 +297,7 @@ impl<'a> Contact<'a> {
 
     /// D = W − (Δ − f) on the panels outside the contact, on to `end` (m); beyond a sharp rim the opening since the rim last released.
     #[must_use]
-    pub fn gap_factor(&self, end: f64) -> Vec<Panel> {
+    pub(crate) fn gap_factor(&self, end: f64) -> Vec<Panel> {
         let mut panels = self.free_displacement(end.min(self.profile.rim()));
         for panel in &mut panels {
             let heights = Cell { low: panel.lower, high: panel.upper, bonded: false }.heights(&self.profile);
@@ -322,7 +322,7 @@ impl<'a> Contact<'a> {
     /// the smooth side without is taken, and at an edge that advances in any case: its layer may be too thin to be seen at all. At an edge that rests they differ
     /// by what the solid has relaxed, and the side within is right.
     #[must_use]
-    pub fn edge_load(&self) -> f64 {
+    pub(crate) fn edge_load(&self) -> f64 {
         self.edge_load_known().0
     }
 

@@ -23,7 +23,7 @@ pub struct Oscillation {
     pub amplitude: f64,
     /// Cycles per time (1/s) at the start of the segment.
     pub frequency: f64,
-    /// The same at its end.
+    /// The same at its end (1/s).
     pub end_frequency: f64,
     /// How it goes from one to the other.
     pub sweep: FrequencySweep,

@@ -268,7 +268,7 @@ pub struct Instant {
     pub tip_release_rate: Option<Estimate>,
     /// G = dU/dA − F dΔ/dA = G_tip − P_d/(dA/dt) (J/m²), with the energies; none where the edge stands, or turns so near that nothing of it is known.
     pub energy_release_rate: Option<Estimate>,
-    /// Defect of the edge condition.
+    /// Defect of the edge condition, C/Δγ − 1.
     pub residual: f64,
 }
 
@@ -299,7 +299,7 @@ pub struct IndentationSolution {
     pub smallest_gap_factor: f64,
     /// Whether every error met the accuracy.
     pub reached: bool,
-    /// Largest defect of the edge condition.
+    /// Largest defect of the edge condition, C/Δγ − 1.
     pub residual: f64,
     /// The integration itself, or the path by panels.
     pub integration: Trace,

@@ -19,9 +19,9 @@ pub(super) const DEGREE: usize = 5;
 /// The chain of springs and dashpots of a material, in moduli E*.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Springs {
-    /// E∞*.
+    /// E∞* (Pa).
     pub glassy: f64,
-    /// E0*.
+    /// E0* (Pa).
     pub relaxed: f64,
     /// J_j and τ_j.
     pub creep: Vec<(f64, f64)>,
@@ -70,7 +70,7 @@ impl Springs {
 
     /// The shortest relaxation time, infinite for an elastic material.
     #[must_use]
-    pub fn shortest_time(&self) -> f64 {
+    pub(crate) fn shortest_time(&self) -> f64 {
         self.relaxation.iter().fold(f64::INFINITY, |least, &(_, rho)| least.min(rho))
     }
 

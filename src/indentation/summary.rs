@@ -12,7 +12,7 @@ const POINTS: usize = 5;
 pub struct Summary {
     /// Largest |Δ|, |F|, a and |K_I|.
     pub scales: [f64; 4],
-    /// Largest defect of the edge condition.
+    /// Largest defect of the edge condition, C/Δγ − 1.
     pub residual: f64,
     defect: f64,
     turned: f64,

@@ -245,12 +245,12 @@ impl EdgeBalance {
 
     /// Contacts solved for one evaluation.
     #[must_use]
-    pub const fn contacts_per_evaluation(&self) -> u64 {
+    pub(crate) const fn contacts_per_evaluation(&self) -> u64 {
         if self.adhesion.is_some() { 3 } else { 1 }
     }
 
     /// Evaluations since this was last asked, those that led to nothing as well.
-    pub fn take_evaluations(&self) -> u64 {
+    pub(crate) fn take_evaluations(&self) -> u64 {
         self.evaluations.take()
     }
 
@@ -286,7 +286,7 @@ impl EdgeBalance {
     ///
     /// # Errors
     /// As [`EdgeBalance::evaluate`].
-    pub fn evaluate_edges(&self, edges: ContactEdges, prescribed: Prescribed) -> Result<EdgeStates, Refusal> {
+    pub(crate) fn evaluate_edges(&self, edges: ContactEdges, prescribed: Prescribed) -> Result<EdgeStates, Refusal> {
         self.evaluations.set(self.evaluations.get() + 1);
         let systems = self.systems_of(edges)?;
         let state = systems.own.state(edges.eccentricity, prescribed)?;

@@ -19,9 +19,9 @@ const SUM_TOLERANCE: f64 = 1e-12;
 /// One creep term in the groups of steady sliding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MemoryTerm {
-    /// j_j = J_jE0.
+    /// j_j = J_jE0, a number.
     pub compliance: f64,
-    /// ζ_j = kvτ_j.
+    /// ζ_j = kvτ_j, a number.
     pub ratio: f64,
 }
 

@@ -63,9 +63,9 @@ pub struct LinearSegment {
     pub start: f64,
     /// Duration (s), greater than zero; infinite for the last one.
     pub duration: f64,
-    /// Load at the start, after a jump if there is one.
+    /// Load at the start (Pa √m), after a jump if there is one.
     pub from: f64,
-    /// Load at the end, before the next jump.
+    /// Load at the end (Pa √m), before the next jump.
     pub to: f64,
 }
 

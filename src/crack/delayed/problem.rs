@@ -70,13 +70,13 @@ impl<'a> GrowthProblem<'a> {
 
     /// Whether δ changes with the load.
     #[must_use]
-    pub const fn follows_the_load(&self) -> bool {
+    pub(crate) const fn follows_the_load(&self) -> bool {
         matches!(self.zone, ZoneRule::Following { .. })
     }
 
     /// The interface with the zone that it has under a constant load K: what the steady theory at the same load takes.
     #[must_use]
-    pub fn interface_at(&self, intensity: f64) -> Interface {
+    pub(crate) fn interface_at(&self, intensity: f64) -> Interface {
         Interface { process_zone: ProcessZone::Constant { length: self.process_zone_at(intensity) }, ..self.interface }
     }
 

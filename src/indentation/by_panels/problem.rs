@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub(super) struct Problem {
     pub profile: Profile,
     pub chain: Chain,
-    /// Δγ; None without adhesion, where δ is only a length for first steps.
+    /// Δγ (J/m²); None without adhesion, where δ is only a length for first steps.
     pub adhesion: Option<f64>,
     pub zone: f64,
     pub drive: Drive,

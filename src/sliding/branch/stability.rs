@@ -47,7 +47,7 @@ pub struct SecondVariations {
     pub by_load: [f64; 2],
     /// ∂Δ/∂l_j at fixed mean pressure.
     pub penetration_by_edges: [f64; 2],
-    /// ∂Δ/∂p̄ at fixed edges; positive.
+    /// ∂Δ/∂p̄ at fixed edges, in reduced units; positive.
     pub penetration_by_load: f64,
     /// Whether a penetration is defined: not of a parabola, whose fixed penetration is a fixed load.
     pub has_penetration: bool,
@@ -228,7 +228,7 @@ impl SecondVariations {
 
     /// Whether both edges taken alone are held, with the other one at rest: at a turn, whether a stable contact is next to it.
     #[must_use]
-    pub fn each_edge_is_held(&self, frame_stiffness: f64) -> bool {
+    pub(crate) fn each_edge_is_held(&self, frame_stiffness: f64) -> bool {
         let [[first, _], [_, fourth]] = self.in_frame_matrix(frame_stiffness);
         first > 0.0 && fourth > 0.0
     }

@@ -44,7 +44,7 @@ impl Strength {
 pub struct StrengthAt {
     /// kv (1/s).
     pub rate: f64,
-    /// Γ of the trailing edge.
+    /// Γ of the trailing edge, in reduced units.
     pub reduced_work: f64,
     /// The strength, or why there is none.
     pub strength: Result<Strength, Refusal>,

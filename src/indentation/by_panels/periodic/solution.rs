@@ -33,7 +33,7 @@ pub struct PeriodicState {
     pub cycle: Cycle<Estimate>,
     /// Mean force (N) and contact radius (m) in time.
     pub mean_force: Estimate,
-    /// The same of the radius.
+    /// The same of the radius (m).
     pub mean_contact_radius: Estimate,
     /// Equally spaced instants of the cycle, its start and end included.
     pub instants: Vec<Instant>,
