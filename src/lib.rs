@@ -13,7 +13,8 @@
 //! | [`finite_range`] | surfaces that attract at a distance: lines, maps, and the sphere in time |
 //! | [`fit`] | parameters of any model from data, with intervals |
 //!
-//! SI units, but for sliding and surfaces, which are solved in reduced units: their modules say which. Contacts and cracks take a [`PlaneMaterial`], whose moduli are E* = E/(1 − ν²).
+//! SI units, but for sliding and surfaces, which are solved in reduced units: their modules say which. Contacts and cracks take a [`PlaneMaterial`], whose moduli are E*
+//! = E/(1 − ν²).
 //!
 //! # A material
 //! ```

@@ -31,7 +31,7 @@ pub struct Segment {
 }
 
 impl Segment {
-    /// The way from a value, at a time since its start.
+    /// The way from a value (m or N), at a time (s) since its start.
     #[must_use]
     pub fn value(&self, from: f64, time: f64) -> f64 {
         let part = time / self.duration;
@@ -52,7 +52,7 @@ pub struct History {
 }
 
 impl History {
-    /// From a start value of a quantity.
+    /// From a start value (m or N) of a quantity.
     #[must_use]
     pub const fn from(controlled: Controlled, start: f64) -> Self {
         Self { start, controlled, segments: Vec::new() }
@@ -118,14 +118,14 @@ impl History {
         self.ramp(end, duration)
     }
 
-    /// Followed by a hold of the same quantity.
+    /// Followed by a hold of the same quantity (s).
     #[must_use]
     pub fn hold(self, duration: f64) -> Self {
         let end = self.end();
         self.ramp(end, duration)
     }
 
-    /// Followed by a step of the same quantity.
+    /// Followed by a step of the same quantity (to m or N).
     #[must_use]
     pub fn step(self, end: f64) -> Self {
         self.ramp(end, 0.0)

@@ -72,7 +72,7 @@ impl Oscillation {
         }
     }
 
-    /// N, cycles gone by at a time of a segment.
+    /// N, cycles gone by at a time (s) of a segment.
     #[must_use]
     pub fn cycles_at(&self, time: f64, duration: f64) -> f64 {
         if duration <= 0.0 {
@@ -124,7 +124,7 @@ impl Oscillation {
         self.amplitude * self.angle(time, duration).sin() - self.offset()
     }
 
-    /// How far above its mean it begins.
+    /// How far above its mean it begins, in the unit of the controlled quantity.
     #[must_use]
     pub fn offset(&self) -> f64 {
         self.amplitude * self.phase.sin()

@@ -45,7 +45,7 @@ impl Spread {
         }
     }
 
-    /// The largest difference between two cycles: of work, stiffnesses, and extremes of Δ (over its swing), F and a (over their largest values).
+    /// The largest relative difference between two cycles: of work, stiffnesses, and extremes of Δ (over its swing), F and a (over their largest values).
     #[must_use]
     pub fn largest(&self) -> f64 {
         let differences = self.least.iter().zip(&self.most).map(|(least, most)| most - least);

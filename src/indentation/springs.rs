@@ -74,7 +74,7 @@ impl Springs {
         self.relaxation.iter().fold(f64::INFINITY, |least, &(_, rho)| least.min(rho))
     }
 
-    /// The longest retardation time, 0 for an elastic material.
+    /// The longest retardation time (s), 0 for an elastic material.
     #[must_use]
     pub fn longest_retardation_time(&self) -> f64 {
         self.creep.iter().fold(0.0, |most, &(_, tau)| most.max(tau))

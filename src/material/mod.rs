@@ -77,7 +77,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// An elastic material: one modulus, no memory.
+    /// An elastic material: one modulus (Pa), no memory.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] unless the modulus is positive and finite.
@@ -85,7 +85,7 @@ impl Material {
         Self::from_relaxation(require_positive("modulus", modulus)?, &[])
     }
 
-    /// A material from its creep series: the glassy modulus, terms in any order, and a steady viscosity if it flows (E0 = 0).
+    /// A material from its creep series: the glassy modulus (Pa), terms in any order, and a steady viscosity (Pa s) if it flows (E0 = 0).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a modulus, compliance, time or viscosity that is not positive and finite (a zero compliance is
@@ -121,7 +121,7 @@ impl Material {
         .representable()
     }
 
-    /// A material from its relaxation series: the relaxed modulus (0 for a viscous material) and terms in any order.
+    /// A material from its relaxation series: the relaxed modulus (Pa; 0 for a viscous material) and terms in any order.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a modulus that is negative, infinite or a NaN, a time that is not positive and finite (a zero
@@ -177,7 +177,7 @@ impl Material {
         }
     }
 
-    /// The standard linear solid of the thesis, by its two moduli and its RETARDATION time (thesis chapters 3 and 5).
+    /// The standard linear solid of the thesis, by its two moduli (Pa) and its RETARDATION time (s; thesis chapters 3 and 5).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] unless 0 < relaxed modulus ≤ glassy modulus and the time is positive.

@@ -76,7 +76,7 @@ pub struct LoadHistory {
 }
 
 impl LoadHistory {
-    /// A load applied at time zero and held for ever (thesis Eq 5.47).
+    /// A load K (Pa √m) applied at time zero and held for ever (thesis Eq 5.47).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a load that is negative or not finite.
@@ -161,19 +161,19 @@ impl LoadHistory {
         &self.segments
     }
 
-    /// The greatest load of the history.
+    /// The greatest load of the history (Pa √m).
     #[must_use]
     pub fn peak(&self) -> f64 {
         self.segments.iter().map(|segment| segment.from.max(segment.to)).fold(0.0, f64::max)
     }
 
-    /// The load that holds after the last segment.
+    /// The load that holds after the last segment (Pa √m).
     #[must_use]
     pub fn last(&self) -> f64 {
         self.segments.last().map_or(0.0, |segment| segment.to)
     }
 
-    /// K(t), after the jump where there is one; zero before time zero.
+    /// K(t) (Pa √m) at a time (s), after the jump where there is one; zero before time zero.
     #[must_use]
     pub fn at(&self, time: f64) -> f64 {
         let index = self.segments.partition_point(|segment| segment.start <= time);
@@ -189,7 +189,7 @@ impl LoadHistory {
 const SAME_TIME: f64 = 1e-13;
 
 impl LoadHistory {
-    /// K at a time that is known to its bound: all loads from the earliest to the latest time. An event on a jump of the load comes after it.
+    /// K (Pa √m) at a time (s) that is known to its bound: all loads from the earliest to the latest time. An event on a jump of the load comes after it.
     #[must_use]
     pub fn around(&self, time: Estimate) -> Estimate {
         let [earliest, latest] = [time.value - time.error, time.value + time.error];

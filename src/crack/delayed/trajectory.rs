@@ -267,7 +267,7 @@ fn same_story(runs: &[Run; 4]) -> bool {
     same(one) && same(two)
 }
 
-/// The steady motion that growth under a constant load K tends to: the opening theory of [`VirtualWork`] with the same zone.
+/// The steady motion that growth under a constant load K (Pa √m) tends to: the opening theory of [`VirtualWork`] with the same zone.
 ///
 /// # Errors
 /// [`Refusal::NoSuchState`] for a load at or beyond a limit of Eq 5.68; [`Refusal::Undefined`] for an elastic material.

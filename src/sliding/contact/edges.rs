@@ -56,7 +56,7 @@ impl ContactEdges {
         if self.half_gap.is_infinite() { self.half_width } else { self.half_gap.min(self.half_width).sin() }
     }
 
-    /// Half the width of the contact or of the gap, whichever is narrower.
+    /// Half the width of the contact or of the gap (1/k), whichever is narrower.
     #[must_use]
     pub const fn narrower(&self) -> f64 {
         self.half_width.min(self.half_gap)

@@ -177,7 +177,7 @@ fn outside_integrations(memory: &ContactMemory, panels: &[Panel], length: f64, e
 }
 
 impl ProcessZone {
-    /// The zone of an edge.
+    /// The zone of an edge, of a length δ (1/k).
     #[must_use]
     pub fn new(memory: &ContactMemory, indenter: Indenter, edge: Edge, length: f64, resolution: Resolution) -> Self {
         let panels = panels(length, memory.thinnest_layer(), resolution.panel_ratio());
@@ -200,7 +200,7 @@ impl ProcessZone {
         (trailing, leading)
     }
 
-    /// δ.
+    /// δ (1/k).
     #[must_use]
     pub const fn length(&self) -> f64 {
         self.length

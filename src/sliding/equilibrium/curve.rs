@@ -1,7 +1,8 @@
 //! The contacts along the half-widths, joined to curves.
 //!
 //! At each of a row of half-widths all contacts are known, and how each goes on. Rows are divided until the contacts of neighbours are each other's continuation
-//! without any question: what both slopes predict is met much nearer than any other contact, and load and depth turn once at most between them. Where a contact appears or
+//! without any question: what both slopes predict is met much nearer than any other contact, and load and depth turn once at most between them. Where a contact appears
+//! or
 //! vanishes, rows are divided to the last: two that vanish together are the two sides of a turn of the half-width, one alone is an end.
 
 use super::held::SegmentEnd;
