@@ -12,7 +12,7 @@
 use crate::refusal::Refusal;
 
 /// Bisection alone closes a bracket of 600 decades to one ulp in 64 steps; Newton needs four to eight.
-pub(crate) const MOST_EVALUATIONS: u32 = 200;
+pub const MOST_EVALUATIONS: u32 = 200;
 
 /// A root with the evidence that it is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
