@@ -7,8 +7,8 @@
 use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
-use viscotack::Material;
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, march, run};
+use viscotack::PlaneMaterial;
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, integrate, run};
 use viscotack::material::RelaxationTerm;
 use viscotack_verification::rivals::annulus_indentation::{AnnulusScheme, AnnulusStart};
 
@@ -34,12 +34,12 @@ fn best<T>(times: u32, mut job: impl FnMut() -> T) -> (f64, T) {
 /// Largest difference of force and radius at the instants that both keep, over their largest values.
 fn difference(trace: &Trace, truth: &Trace) -> f64 {
     let [_, force, radius, _] = truth.summary.scales;
-    let apart = |(&one, &other): (&usize, &usize)| {
+    let difference = |(&one, &other): (&usize, &usize)| {
         let (one, other) = (trace.path[one], truth.path[other]);
         ((one.force - other.force).abs() / force).max((one.contact_radius - other.contact_radius).abs() / radius)
     };
     assert_eq!(trace.kept.len(), truth.kept.len());
-    trace.kept.iter().zip(&truth.kept).map(apart).fold(0.0, f64::max)
+    trace.kept.iter().zip(&truth.kept).map(difference).fold(0.0, f64::max)
 }
 
 fn cycle(accuracy: f64) -> IndentationProblem {
@@ -50,14 +50,14 @@ fn cycle(accuracy: f64) -> IndentationProblem {
 }
 
 /// n terms, a decade apart, that stiffen tenfold together; one of them at the reference time.
-fn terms(count: i32) -> Material {
+fn terms(count: i32) -> PlaneMaterial {
     let term =
         |index: i32| RelaxationTerm { modulus: 9.0 / f64::from(count), relaxation_time: 10.0_f64.powf(0.5 * f64::from(count / 2 - index)) };
-    Material::from_relaxation(1.0, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
+    PlaneMaterial::from_relaxation(1.0, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
 }
 
 fn main() {
-    let rubber = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let rubber = PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap();
     println!("approach and retraction at V·ρ/R = {SPEED:e}");
     let mut core = Vec::new();
     let mut exact = f64::NAN;
@@ -76,11 +76,11 @@ fn main() {
         exact = tension.value;
         core.push(time);
     }
-    let truth = march(&rubber, &cycle(1e-8), 1e-8).unwrap();
+    let truth = integrate(&rubber, &cycle(1e-8), 1e-8).unwrap();
     for tolerance in [1e-1, 1e-2, 1e-4, 1e-6] {
-        let (time, trace) = best(3, || march(&rubber, &cycle(tolerance), tolerance).unwrap());
+        let (time, trace) = best(3, || integrate(&rubber, &cycle(tolerance), tolerance).unwrap());
         println!(
-            "  one march without bars at {tolerance:e}: {time:.2} ms, {} steps, {} balances; force and radius off by {:.1e} of the largest",
+            "  one integration without bounds at {tolerance:e}: {time:.2} ms, {} steps, {} balances; force and radius off by {:.1e} of the largest",
             trace.work.steps,
             trace.work.closure_evaluations,
             difference(&trace, &truth)

@@ -8,7 +8,7 @@
 use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::Instant;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::branch::{BranchProblem, BranchStart, Scan, every_branch, trace};
 use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
@@ -34,7 +34,7 @@ fn timed<T>(repeats: usize, mut run: impl FnMut() -> T) -> (f64, T) {
 }
 
 fn main() {
-    let material = Material::standard_solid(1.0, 10.0, 1.0).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 10.0, 1.0).unwrap();
     let problem = BranchProblem { points: 200, ..BranchProblem::loads(RATE, ADHESION, 1e-8) };
     let (seconds, branch) = timed(REPEATS, || trace(&material, &problem).unwrap());
     println!("one time, 200 points to 1e-8, turns and stability: {:.0} ms, {:?}", 1e3 * seconds, branch.work);
@@ -44,7 +44,7 @@ fn main() {
 
     let terms: Vec<CreepTerm> =
         (0..12).map(|index| CreepTerm { compliance: (1.0 - 1.0 / 100.0) / 12.0, retardation_time: 10f64.powi(-index) }).collect();
-    let twelve = Material::from_creep(100.0, &terms, None).unwrap();
+    let twelve = PlaneMaterial::from_creep(100.0, &terms, None).unwrap();
     for points in [0, 200] {
         let problem = BranchProblem { points, ..BranchProblem::loads(1.0, ADHESION, 1e-8) };
         let (seconds, branch) = timed(1, || trace(&twelve, &problem).unwrap());
@@ -87,7 +87,7 @@ fn processor_seconds() -> Option<f64> {
 }
 
 /// The rival's time for contacts along the same branch.
-fn rival(material: &Material, outline: &[[f64; 4]], ours: f64) {
+fn rival(material: &PlaneMaterial, outline: &[[f64; 4]], ours: f64) {
     let memory = ContactMemory::new(material, RATE).unwrap();
     let scheme = SlidingCollocation::new(memory.kernel(), Layout::Mapped, 100, 2.0).unwrap();
     let begin = Instant::now();

@@ -6,7 +6,7 @@
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve, at_speed};
 use viscotack::material::{CreepTerm, RelaxationTerm};
@@ -17,14 +17,14 @@ const RAW_SPEEDS: usize = 9;
 const REPEATS: usize = 5;
 
 /// Twelve terms over twelve decades, E0 = 1.1 MPa, E∞ = 1.9 GPa.
-fn rubber() -> Material {
+fn rubber() -> PlaneMaterial {
     let moduli = [0.22, 0.31, 0.45, 0.71, 1.3, 2.9, 8.1, 27.0, 96.0, 310.0, 690.0, 760.0];
     let terms: Vec<RelaxationTerm> =
         (0..12).zip(moduli).map(|(k, modulus)| RelaxationTerm { modulus: modulus * 1e6, relaxation_time: 10f64.powi(2 - k) }).collect();
-    let by_relaxation = Material::from_relaxation(1.1e6, &terms).unwrap();
+    let by_relaxation = PlaneMaterial::from_relaxation(1.1e6, &terms).unwrap();
     // The opening crack reads the creep series: give it as exact.
     let creep: Vec<CreepTerm> = by_relaxation.creep_terms().to_vec();
-    Material::from_creep(by_relaxation.glassy_modulus(), &creep, None).unwrap()
+    PlaneMaterial::from_creep(by_relaxation.glassy_modulus(), &creep, None).unwrap()
 }
 
 fn speeds(count: usize) -> Vec<f64> {

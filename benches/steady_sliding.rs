@@ -14,7 +14,7 @@ use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
 use viscotack::sliding::steady::{
     Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,
 };
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 use viscotack_verification::rivals::sliding_collocation::richardson::extrapolated;
 use viscotack_verification::rivals::sliding_collocation::{Layout, SlidingCollocation};
 
@@ -30,7 +30,7 @@ const REPEATS: usize = 5;
 type Numbers = [f64; 8];
 
 struct State {
-    material: Material,
+    material: PlaneMaterial,
     memory: ContactMemory,
     problem: SlidingProblem<'static>,
     prescribed: Prescribed,
@@ -40,7 +40,7 @@ struct State {
 
 /// ζ = τ at the rate one.
 fn state(beta: f64, ratio: f64, pressure: f64) -> Option<State> {
-    let material = Material::standard_solid(1.1e6, 1.1e6 * beta, ratio).unwrap();
+    let material = PlaneMaterial::standard_solid(1.1e6, 1.1e6 * beta, ratio).unwrap();
     let problem = SlidingProblem {
         rate: 1.0,
         indenter: Indenter::Wave,
@@ -74,7 +74,7 @@ fn numbers(values: &PartialValues) -> Option<Numbers> {
     ])
 }
 
-/// From the start of the rivals, with error bars and a check of admissibility; the accuracy asked for is `TOLERANCE`.
+/// From the start of the rivals, with error bounds and a check of admissibility; the accuracy asked for is `TOLERANCE`.
 fn ours(state: &State) -> Option<Numbers> {
     let problem = SlidingProblem { accuracy: TOLERANCE, ..state.problem };
     let start = Start::at(state.start.half_width, state.start.eccentricity);
@@ -137,16 +137,16 @@ fn row(name: String, results: &[(f64, Option<f64>)]) -> Row {
 }
 
 /// A solid with twelve terms over twelve decades, at speeds where four, six and eight of them are slower than the passage.
-fn twelve_terms() -> Material {
+fn twelve_terms() -> PlaneMaterial {
     let terms: Vec<CreepTerm> =
         (0..12).map(|index| CreepTerm { compliance: (1.0 - 1.0 / 30.0) / 1.1e6 / 12.0, retardation_time: 10f64.powi(-index) }).collect();
-    Material::from_creep(1.1e6 * 30.0, &terms, None).unwrap()
+    PlaneMaterial::from_creep(1.1e6 * 30.0, &terms, None).unwrap()
 }
 
 /// Warm states of one and of twelve terms: from the solution at a speed 2 % lower.
 fn many_terms() {
     println!("warm states, from the solution at a speed 2 % lower, and cold ones; accuracy {TOLERANCE:e}");
-    let one = Material::standard_solid(1.1e6, 1.1e6 * 30.0, 1.0).unwrap();
+    let one = PlaneMaterial::standard_solid(1.1e6, 1.1e6 * 30.0, 1.0).unwrap();
     for (name, material, speeds) in [("one term", one, [1e-3, 0.1, 3.0]), ("twelve terms", twelve_terms(), [1e4, 1e6, 1e8])] {
         for rate in speeds {
             let problem = SlidingProblem {
@@ -179,7 +179,7 @@ fn many_terms() {
 
 /// Sweeps over eight decades of speed, state by state, as a scene runs them.
 fn sweeps() {
-    let material = Material::standard_solid(1.1e6, 1.1e7, 1.0).unwrap();
+    let material = PlaneMaterial::standard_solid(1.1e6, 1.1e7, 1.0).unwrap();
     for points in [100, 200, 400] {
         let (seconds, solved) = timed(1, || {
             (0..points)

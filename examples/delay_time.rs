@@ -3,14 +3,14 @@
 //! `cargo run --release --example delay_time`
 
 use std::error::Error;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::crack::delayed::{GrowthProblem, Onset, onset};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::CreepTerm;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let term = |compliance: f64, retardation_time: f64| CreepTerm { compliance, retardation_time };
-    let gel = Material::from_creep(1e5, &[term(4e-4, 1e3), term(4e-4, 10.0), term(1e-4, 0.1)], None)?;
+    let gel = PlaneMaterial::from_creep(1e5, &[term(4e-4, 1e3), term(4e-4, 10.0), term(1e-4, 0.1)], None)?;
     let process_zone = ProcessZone::Constant { length: 1e-5 };
     let interface = Interface { work_of_adhesion: 1.0, process_zone, body: CrackBody::TwoHalves };
     let limits = GrowthProblem::new(&gel, interface, 1.0)?;

@@ -3,11 +3,12 @@
 //! `cargo run --release --example dynamic_stiffness`
 
 use std::error::Error;
-use viscotack::Material;
+use viscotack::elastic::PlaneState;
 use viscotack::indentation::{Adhesion, History, IndentationProblem, Oscillation, Profile, run};
+use viscotack::{Material, PlaneMaterial};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let plane = Material::standard_solid(1e6, 1e7, 0.1)?.stiffened(4.0 / 3.0)?;
+    let plane = PlaneMaterial::of_youngs(&Material::standard_solid(1e6, 1e7, 0.1)?, PlaneState::Strain, 0.5)?;
     let adhesion = Adhesion { work_of_adhesion: 0.05, process_zone: 1e-6 };
     println!("{:>14} {:>14} {:>12} {:>14} {:>12} {:>10}", "frequency (Hz)", "storage (N/m)", "error", "loss (N/m)", "error", "phase");
     for frequency in [0.01, 0.1, 1.0, 10.0, 100.0] {

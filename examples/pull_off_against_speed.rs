@@ -4,14 +4,15 @@
 
 use std::error::Error;
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::elastic::PlaneState;
 use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, run};
+use viscotack::{Material, PlaneMaterial};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (radius, work_of_adhesion) = (1e-3, 0.05);
-    let young = Material::standard_solid(1e6, 1e8, 0.1)?;
+    let youngs = Material::standard_solid(1e6, 1e8, 0.1)?;
     // The contact problem is stated in E* = E/(1 − ν²).
-    let plane = young.stiffened(1.0 / (1.0 - 0.5_f64.powi(2)))?;
+    let plane = PlaneMaterial::of_youngs(&youngs, PlaneState::Strain, 0.5)?;
     let adhesion = Adhesion { work_of_adhesion, process_zone: 1e-7 };
     let elastic = 1.5 * PI * radius * work_of_adhesion;
     println!("{:>12} {:>14} {:>12} {:>18}", "speed (m/s)", "pull-off (mN)", "error (mN)", "over 1.5 pi R work");

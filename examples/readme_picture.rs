@@ -1,6 +1,7 @@
 //! The picture of the README: pull-off against rate by two theories, beside published boundary-element runs.
 //!
-//! `cargo run --release -p viscotack-cli --example readme_picture` solves `scenes/published/` for each Tabor number and writes `docs/src/images/pull_off_against_rate.svg`.
+//! `cargo run --release -p viscotack-cli --example readme_picture` solves `scenes/published/` for each Tabor number and writes
+//! `docs/src/images/pull_off_against_rate.svg`.
 
 use std::{error::Error, f64::consts::PI, fs, path::Path};
 use viscotack_program::outcome::plot::{self, Axis, Curve, Figure, LegendPlace, Line, Marker, Width};

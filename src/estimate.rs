@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 /// real material (the validity block of an outcome does that). Both members carry the same unit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
-    /// The computed value.
+    /// The computed value, in the unit of its quantity.
     pub value: f64,
-    /// |value − exact solution of the stated equations| is at most this.
+    /// |value − exact solution of the stated equations| is at most this, in the same unit; infinite where none is known.
     pub error: f64,
 }
 

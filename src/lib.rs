@@ -13,7 +13,8 @@
 //! | [`finite_range`] | surfaces that attract at a distance: lines, maps, and the sphere in time |
 //! | [`fit`] | parameters of any model from data, with intervals |
 //!
-//! SI units, but for sliding and surfaces, which are solved in reduced units: their modules say which. A modulus of a plane problem is E* = E/(1 − ν²).
+//! SI units, but for sliding and surfaces, which are solved in reduced units: their modules say which. Contacts and cracks take a [`PlaneMaterial`], whose moduli are E*
+//! = E/(1 − ν²).
 //!
 //! # A material
 //! ```
@@ -42,10 +43,10 @@
 //! ```
 //! # A steady crack
 //! ```
-//! use viscotack::Material;
+//! use viscotack::PlaneMaterial;
 //! use viscotack::crack::virtual_work::VirtualWork;
 //! use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
-//! let rubber = Material::standard_solid(1e6, 1e8, 0.1)?;
+//! let rubber = PlaneMaterial::standard_solid(1e6, 1e8, 0.1)?; // moduli of the plane problem
 //! let process_zone = ProcessZone::Constant { length: 1e-6 };
 //! let interface = Interface { work_of_adhesion: 10.0, process_zone, body: CrackBody::TwoHalves };
 //! let opening = VirtualWork::new(&rubber, Motion::Opening, interface)?;
@@ -57,10 +58,10 @@
 //! ```
 //! # A delayed crack
 //! ```
-//! use viscotack::Material;
+//! use viscotack::PlaneMaterial;
 //! use viscotack::crack::delayed::{GrowthProblem, Onset, onset};
 //! use viscotack::crack::{CrackBody, Interface, ProcessZone};
-//! let rubber = Material::standard_solid(1e6, 1e8, 0.1)?;
+//! let rubber = PlaneMaterial::standard_solid(1e6, 1e8, 0.1)?; // moduli of the plane problem
 //! let interface = Interface { work_of_adhesion: 10.0, process_zone: ProcessZone::Constant { length: 1e-6 }, body: CrackBody::TwoHalves };
 //! let load = 5e3; // K in Pa √m; the relaxed limit of two halves is √(Δγ E0) = 3.16e3
 //! let problem = GrowthProblem::new(&rubber, interface, load)?;
@@ -72,18 +73,11 @@
 //! ```
 //! # A sliding contact
 //! ```
-//! use viscotack::Material;
-//! use viscotack::sliding::contact::Indenter;
+//! use viscotack::PlaneMaterial;
 //! use viscotack::sliding::steady::{SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
-//! let solid = Material::standard_solid(1.0, 10.0, 0.1)?; // only E/E0 and kvτ count
-//! let problem = SlidingProblem {
-//!     rate: 1.0, // kv
-//!     indenter: Indenter::Wave,
-//!     adhesion: Some(WaveAdhesion::even(0.002, 1e-3)), // Γ, δ
-//!     work_by_speed: None,
-//!     control: SlidingControl::MeanPressure(0.1),
-//!     accuracy: 1e-9,
-//! };
+//! let solid = PlaneMaterial::standard_solid(1.0, 10.0, 0.1)?; // only E/E0 and kvτ count
+//! let adhesion = WaveAdhesion::even(0.002, 1e-3); // Γ, δ
+//! let problem = SlidingProblem::wave(1.0, Some(adhesion), SlidingControl::MeanPressure(0.1), 1e-9); // kv, …, accuracy
 //! let SlidingOutcome::Partial(contact) = steady_sliding(&solid, &problem)? else { panic!("full contact") };
 //! // Friction is what the two edges release differently and what the bulk loses: it opposes the motion.
 //! assert!(contact.values.friction_stress.value > 0.0 && contact.values.friction_stress.error < 1e-9);
@@ -91,10 +85,10 @@
 //! ```
 //! # An equilibrium curve of sliding contacts
 //! ```
-//! use viscotack::Material;
+//! use viscotack::PlaneMaterial;
 //! use viscotack::sliding::branch::{BranchProblem, strength};
 //! use viscotack::sliding::steady::WaveAdhesion;
-//! let solid = Material::standard_solid(1.0, 10.0, 0.1)?;
+//! let solid = PlaneMaterial::standard_solid(1.0, 10.0, 0.1)?;
 //! let curve = BranchProblem::loads(1.0, WaveAdhesion::even(0.002, 1e-3), 1e-9); // kv, Γ and δ, accuracy
 //! let turns = strength(&solid, &curve)?;
 //! // A contact exists between the pull-off pressure and the pressure of snap-in.
@@ -104,10 +98,11 @@
 //! ```
 //! # An indenter in time
 //! ```
-//! use viscotack::Material;
+//! use viscotack::elastic::PlaneState;
+//! use viscotack::{Material, PlaneMaterial};
 //! use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, run};
-//! let young = Material::standard_solid(1e6, 1e8, 0.1)?;
-//! let plane = young.stiffened(1.0 / (1.0 - 0.5f64.powi(2)))?; // E* of ν = 1/2
+//! let youngs = Material::standard_solid(1e6, 1e8, 0.1)?;
+//! let plane = PlaneMaterial::of_youngs(&youngs, PlaneState::Strain, 0.5)?; // E* of ν = 1/2
 //! let sphere = Profile::Paraboloid { radius: 1e-3 };
 //! let adhesion = Adhesion { work_of_adhesion: 0.05, process_zone: 1e-7 };
 //! // A relaxed contact, pulled off at 1 µm/s.
@@ -136,5 +131,5 @@ pub mod sliding;
 pub mod special;
 
 pub use estimate::Estimate;
-pub use material::Material;
+pub use material::{Material, PlaneMaterial};
 pub use refusal::Refusal;

@@ -82,7 +82,7 @@ pub fn require_finite(quantity: &'static str, value: f64) -> Result<f64, Refusal
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`] outside −1 < ν ≤ 0.5 (the bounds of an isotropic elastic solid).
-pub fn require_poisson_ratio(value: f64) -> Result<f64, Refusal> {
+pub(crate) fn require_poisson_ratio(value: f64) -> Result<f64, Refusal> {
     if value > -1.0 && value <= 0.5 {
         Ok(value)
     } else {

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::time::Duration;
 use viscotack_program::regular_file;
 use viscotack_program::terminal_text::name;
-use viscotack_verification::figures::{FiguresError, Manifest, Options, PanelScenes, Verdict, run, write_scenes};
+use viscotack_verification::figures::{FeatureResult, FiguresError, Manifest, Options, PanelScenes, run, write_scenes};
 
 /// No manifest that a person writes is larger (bytes).
 const LARGEST: u64 = 16 << 20;
@@ -67,5 +67,5 @@ pub(super) fn figures(options: &Options, scenes: Option<&Path>, manifest: Option
         Some(out) => print(&format!("wrote {}: one CSV and one SVG a panel, features.csv, index.html\n", name(out)))?,
         None => print("(nothing written; add --out DIR for tables, plots and the contact sheet)\n")?,
     }
-    Ok(if report.count(Verdict::Failed) > 0 { FAILED } else { 0 })
+    Ok(if report.count(FeatureResult::Failed) > 0 { FAILED } else { 0 })
 }

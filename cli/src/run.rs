@@ -153,7 +153,7 @@ pub(super) fn progress_bar(states: usize) -> ProgressBar {
     bar
 }
 
-/// Shows a stage: of one state alone the march under way, each of which starts the bar and its clock anew.
+/// Shows a stage: of one state alone the integration under way, each of which starts the bar and its clock anew.
 pub(super) fn show(bar: &ProgressBar, states: usize, stage: Stage) {
     if let Stage::States { finished, .. } = stage {
         interrupt::finished(finished);
@@ -166,16 +166,16 @@ pub(super) fn show(bar: &ProgressBar, states: usize, stage: Stage) {
             bar.set_position(PARTS * finished as u64 / total.max(1) as u64);
         }
         Stage::Draws { state, finished, total } => bar.set_message(format!("; state {} at draw {finished} of {total}", state + 1)),
-        Stage::March { number, part, .. } if states == 1 => {
-            let message = format!(" of march {number}");
+        Stage::Integration { number, part, .. } if states == 1 => {
+            let message = format!(" of integration {number}");
             if bar.message() != message {
                 bar.set_message(message);
                 bar.reset_eta();
             }
             bar.set_position((part * PARTS as f64) as u64);
         }
-        Stage::March { state, number, part } => {
-            bar.set_message(format!("; state {} at {:.0} % of its march {number}", state + 1, 100.0 * part));
+        Stage::Integration { state, number, part } => {
+            bar.set_message(format!("; state {} at {:.0} % of its integration {number}", state + 1, 100.0 * part));
         }
     }
 }

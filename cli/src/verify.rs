@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use viscotack_program::outcome::folder;
-use viscotack_verification::studies::{Effort, Progress, Verdict, chosen, files, run};
+use viscotack_verification::studies::{CheckResult, Effort, Progress, chosen, files, run};
 
 /// A check failed.
 const FAILED: u8 = 1;
@@ -45,7 +45,7 @@ pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> R
     print(&report.table())?;
     folder::write_whole(out, force, "report", &files)?;
     print(&format!("wrote {}: report.html, summary.json and {} tables\n", viscotack_program::terminal_text::name(out), files.len() - 2))?;
-    Ok(if report.count(Verdict::Failed) > 0 { FAILED } else { 0 })
+    Ok(if report.count(CheckResult::Failed) > 0 { FAILED } else { 0 })
 }
 
 /// Plain lines for a log: one as each section ends, and the parts done where none has for a while.

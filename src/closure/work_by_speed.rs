@@ -13,7 +13,7 @@ use crate::refusal::{Refusal, require_positive};
 /// An entry of a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WorkAtSpeed {
-    /// v; positive.
+    /// v (m/s), positive; kv (1/s) of a sliding contact.
     pub speed: f64,
     /// Δγ of the trailing edge, where the contact opens, in any unit; positive.
     pub trailing: f64,
@@ -100,7 +100,7 @@ impl WorkBySpeed {
 
     /// Whether the factors of the trailing and of the leading edge fall, and whether they rise, anywhere with the speed.
     #[must_use]
-    pub fn trends(&self) -> [(bool, bool); 2] {
+    pub(crate) fn trends(&self) -> [(bool, bool); 2] {
         match &self.0 {
             Law::Power { .. } => [(false, true); 2],
             Law::Table(entries) => [|entry: &WorkAtSpeed| entry.trailing, |entry: &WorkAtSpeed| entry.leading].map(|of| {

@@ -110,7 +110,7 @@ impl<S> CurvePoint<S> {
 ///
 /// # Errors
 /// Those of the equations; [`Refusal::NotConverged`] where both equations have the same gradient.
-pub fn linearized<E: CurveEquations>(
+pub(crate) fn linearized<E: CurveEquations>(
     equations: &E,
     unknowns: [f64; 3],
     here: &Evaluated<E::State>,
@@ -136,7 +136,7 @@ pub fn linearized<E: CurveEquations>(
 ///
 /// # Errors
 /// [`Refusal::NotConverged`] where both equations have the same gradient.
-pub fn tangent_of(rows: &[[f64; 3]; 3]) -> Result<Vector3<f64>, Refusal> {
+pub(crate) fn tangent_of(rows: &[[f64; 3]; 3]) -> Result<Vector3<f64>, Refusal> {
     // Of nearly equal gradients the difference is taken first: it is exact.
     let (first, second) = (Vector3::from(rows[0]), Vector3::from(rows[1]));
     let other = if (second - first).norm() < second.norm() { second - first } else { second };

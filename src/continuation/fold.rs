@@ -1,7 +1,8 @@
 //! Where a quantity turns along a curve: F₁ = F₂ = 0 and dg/ds = ∇g·t = 0, t = ∇F₁ × ∇F₂.
 //!
 //! The gradients are central differences, of fourth order where many digits are asked for, so that the third equation is known to some ten digits where the equations
-//! themselves are known to rounding; of second order they take half the evaluations and leave five. The value of the quantity is stationary at a fold: an error of the location enters it squared.
+//! themselves are known to rounding; of second order they take half the evaluations and leave five. The value of the quantity is stationary at a fold: an error of the
+//! location enters it squared.
 
 use super::curve::{CurveEquations, CurvePoint, Evaluated, Quantity, tangent_of};
 use super::three_unknowns::ThreeEquations;
@@ -9,7 +10,7 @@ use crate::refusal::Refusal;
 use nalgebra::{Matrix3, Vector3};
 
 /// Step of the central differences, in scaled unknowns: truncation (5e-4)⁴ or (5e-4)², rounding 1e-16/5e-4.
-pub const CENTRAL_STEP: f64 = 5e-4;
+pub(crate) const CENTRAL_STEP: f64 = 5e-4;
 /// Step of the Jacobian of the fold equations.
 const OUTER_STEP: f64 = 1e-4;
 /// Central differences of a gradient: how far apart, in scaled unknowns, and of which order.
@@ -38,7 +39,7 @@ impl Differences {
     }
 }
 
-/// Least residual asked for; one that does not fall any more below the second, or what rounding leaves up to the third, is rounding and widens the bars.
+/// Least residual asked for; one that does not fall any more below the second, or what rounding leaves up to the third, is rounding and widens the bounds.
 const TOLERANCE: (f64, f64, f64) = (1e-13, 1e-5, 1e-3);
 
 /// A turning point.
@@ -75,7 +76,7 @@ pub struct FoldShift {
 ///
 /// # Errors
 /// Those of the equations.
-pub fn gradients<E: CurveEquations>(
+pub(crate) fn gradients<E: CurveEquations>(
     equations: &E,
     unknowns: [f64; 3],
     scales: [f64; 3],
@@ -144,7 +145,7 @@ pub fn interpolated<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, part: f64) -> [
 
 /// The part of the way between two points of a curve at which the interpolated curve has a value of one unknown; that of the chord if the value is not between.
 #[must_use]
-pub fn part_at<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, index: usize, value: f64) -> f64 {
+pub(crate) fn part_at<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, index: usize, value: f64) -> f64 {
     let off = |part: f64| interpolated(from, to, part).get(index).map_or(f64::NAN, |unknown| unknown - value);
     let (begin, end) = (off(0.0), off(1.0));
     if begin * end >= 0.0 || begin.is_nan() || end.is_nan() {
@@ -164,7 +165,7 @@ pub fn part_at<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, index: usize, value:
 
 /// The fold of a quantity near a start, to a `tolerance` of the three equations, with the gradients by `differences`.
 ///
-/// What the differences leave out is no part of the bars: [`shifted`] with wider ones shows it.
+/// What the differences leave out is no part of the bounds: [`shifted`] with wider ones shows it.
 ///
 /// # Errors
 /// [`Refusal::NotConverged`].

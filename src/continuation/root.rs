@@ -42,7 +42,7 @@ pub struct LogSlope {
 /// # Errors
 /// [`Refusal::OutOfRange`] for an empty bracket; [`Refusal::NotConverged`] when the function is not a number, or when no root was
 /// closed in on within [`MOST_EVALUATIONS`].
-pub fn increasing_root(
+pub(crate) fn increasing_root(
     what: &'static str,
     mut function: impl FnMut(f64) -> LogSlope,
     [lower, upper]: [f64; 2],

@@ -14,7 +14,13 @@ const MAX_STEPS: usize = 1200;
 /// The two end values are taken on trust and never evaluated: an end that is itself the root, spoilt by rounding, is then approached
 /// and returned instead of refused. `function` gives the value and the derivative. Ends when a step no longer changes the point by more
 /// than one unit in the last place, which is the accuracy of the root as far as the function's own rounding allows.
-pub fn signed_root(what: &'static str, below: f64, above: f64, start: f64, function: impl Fn(f64) -> (f64, f64)) -> Result<f64, Refusal> {
+pub(crate) fn signed_root(
+    what: &'static str,
+    below: f64,
+    above: f64,
+    start: f64,
+    function: impl Fn(f64) -> (f64, f64),
+) -> Result<f64, Refusal> {
     let (mut below, mut above, mut point) = (below, above, start);
     let mut last_step = (above - below).abs();
     for _ in 0..MAX_STEPS {

@@ -151,7 +151,7 @@ where
 
 /// The solution of a 2 × 2 system; none if it is not finite.
 #[must_use]
-pub fn solve_two_by_two(matrix: &Jacobian, right: [f64; 2]) -> Option<[f64; 2]> {
+pub(crate) fn solve_two_by_two(matrix: &Jacobian, right: [f64; 2]) -> Option<[f64; 2]> {
     let determinant = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
     let solution = [
         (right[0] * matrix[1][1] - right[1] * matrix[0][1]) / determinant,

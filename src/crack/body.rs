@@ -32,7 +32,7 @@ impl CrackBody {
         2.0 * work_of_adhesion * drive / self.deformable_halves()
     }
 
-    /// The drive D that belongs to a squared intensity: the inverse of [`CrackBody::intensity_squared`].
+    /// The drive D (a number) that belongs to a squared intensity (Pa² m) and a work of adhesion (J/m²): the inverse of [`CrackBody::intensity_squared`].
     #[must_use]
     pub fn drive(self, work_of_adhesion: f64, intensity: f64) -> f64 {
         0.5 * self.deformable_halves() * intensity * (intensity / work_of_adhesion)

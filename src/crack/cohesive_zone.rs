@@ -14,7 +14,7 @@ use super::body::CrackBody;
 use super::curve::{CurvePoint, Motion, SteadyCurve};
 use super::process_zone::closing_intensity_mean;
 use super::steep_closing::Correction;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::{Refusal, require_positive};
 use crate::special::cohesive_kernel::{closing_work_kernel, closing_work_kernel_slope, opening_kernel, opening_kernel_slope};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -22,7 +22,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// The constant-stress cohesive-zone theory of a steady crack.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CohesiveZone<'a> {
-    material: &'a Material,
+    material: &'a PlaneMaterial,
     motion: Motion,
     work_of_adhesion: f64,
     cohesive_stress: f64,
@@ -35,7 +35,7 @@ impl<'a> CohesiveZone<'a> {
     /// # Errors
     /// [`Refusal::OutOfRange`] for a number that is not positive and finite.
     pub fn new(
-        material: &'a Material,
+        material: &'a PlaneMaterial,
         motion: Motion,
         work_of_adhesion: f64,
         cohesive_stress: f64,
@@ -84,7 +84,7 @@ impl SteadyCurve for CohesiveZone<'_> {
         })
     }
 
-    fn material(&self) -> &Material {
+    fn material(&self) -> &PlaneMaterial {
         self.material
     }
 

@@ -2,7 +2,7 @@
 
 use super::process_zone::Interface;
 use super::steep_closing::Correction;
-use crate::material::{Material, WeightedMean};
+use crate::material::{PlaneMaterial, WeightedMean};
 use crate::refusal::Refusal;
 use serde::{Deserialize, Serialize};
 
@@ -46,7 +46,7 @@ impl CurvePoint {
     pub fn of_mean(
         mean: &WeightedMean,
         interface: &Interface,
-        material: &Material,
+        material: &PlaneMaterial,
         motion: Motion,
         crossing_time: f64,
         kernel_evaluations: u64,
@@ -75,7 +75,7 @@ pub trait SteadyCurve {
     fn point(&self, crossing_time: f64) -> Result<CurvePoint, Refusal>;
 
     /// The plane material of the deformable half.
-    fn material(&self) -> &Material;
+    fn material(&self) -> &PlaneMaterial;
 
     /// Which way the tip moves.
     fn motion(&self) -> Motion;

@@ -17,8 +17,8 @@
 //! | σ_c | `cohesive_stress` | Pa |
 //! | a₀ = E0Δγ/(πσ_c²) per half | `relaxed_zone`: K²/(2πσ_c²) at G = Δγ | m |
 //!
-//! The moduli are those of the plane problem: give [`Material::stiffened`](crate::material::Material::stiffened) by 1/(1 − ν²) in plane
-//! strain, the material itself in plane stress. Everything is per [`CrackBody`]: one deformable half against a rigid one, or two halves.
+//! The moduli are those of the plane problem: a [`PlaneMaterial`](crate::material::PlaneMaterial) has E/(1 − ν²) in plane
+//! strain, E in plane stress. Everything is per [`CrackBody`]: one deformable half against a rigid one, or two halves.
 //!
 //! Every theory here is a curve over one parameter, the crossing time T: a drive D(T) and a zone length ℓ(T), with v = ℓ/T
 //! ([`SteadyCurve`]). Each model is a file; [`solve`] finds the state at a given speed or load for any of them.

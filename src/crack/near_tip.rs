@@ -15,7 +15,7 @@ use super::body::CrackBody;
 use super::process_zone::closing_intensity_mean;
 use crate::closure::EdgeFields;
 use crate::estimate::Estimate;
-use crate::material::{GivenSeries, Material};
+use crate::material::{GivenSeries, PlaneMaterial};
 use crate::refusal::{Refusal, require_non_negative};
 use crate::special::dawson::{dawson, dawson_slope};
 use std::f64::consts::{PI, TAU};
@@ -26,7 +26,7 @@ const DIGITS_OF_Z: f64 = 4.0 * f64::EPSILON;
 /// The fields at the tip of a steadily opening crack.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OpeningTip<'a> {
-    material: &'a Material,
+    material: &'a PlaneMaterial,
     body: CrackBody,
     stress_intensity: f64,
     speed: f64,
@@ -35,7 +35,7 @@ pub struct OpeningTip<'a> {
 /// The fields at the tip of a steadily closing crack.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClosingTip<'a> {
-    material: &'a Material,
+    material: &'a PlaneMaterial,
     body: CrackBody,
     displacement_intensity: f64,
     speed: f64,
@@ -55,7 +55,7 @@ impl<'a> OpeningTip<'a> {
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a negative or non-finite intensity, or a negative speed.
-    pub fn new(material: &'a Material, body: CrackBody, stress_intensity: f64, speed: f64) -> Result<Self, Refusal> {
+    pub fn new(material: &'a PlaneMaterial, body: CrackBody, stress_intensity: f64, speed: f64) -> Result<Self, Refusal> {
         require_non_negative("stress_intensity", stress_intensity)?;
         Ok(Self { material, body, stress_intensity, speed: checked_speed(speed)? })
     }
@@ -97,7 +97,7 @@ impl<'a> ClosingTip<'a> {
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a negative or non-finite intensity, or a negative speed.
-    pub fn new(material: &'a Material, body: CrackBody, displacement_intensity: f64, speed: f64) -> Result<Self, Refusal> {
+    pub fn new(material: &'a PlaneMaterial, body: CrackBody, displacement_intensity: f64, speed: f64) -> Result<Self, Refusal> {
         require_non_negative("displacement_intensity", displacement_intensity)?;
         Ok(Self { material, body, displacement_intensity, speed: checked_speed(speed)? })
     }

@@ -14,14 +14,14 @@
 use super::curve::{CurvePoint, Motion, SteadyCurve};
 use super::process_zone::{Interface, ProcessZone};
 use super::steep_closing::Correction;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use std::f64::consts::TAU;
 
 /// Persson and Brener's theory of a steady crack.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PerssonBrener<'a> {
-    material: &'a Material,
+    material: &'a PlaneMaterial,
     motion: Motion,
     interface: Interface,
 }
@@ -31,7 +31,7 @@ impl<'a> PerssonBrener<'a> {
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for an interface with a number that is not positive and finite.
-    pub fn new(material: &'a Material, motion: Motion, interface: Interface) -> Result<Self, Refusal> {
+    pub fn new(material: &'a PlaneMaterial, motion: Motion, interface: Interface) -> Result<Self, Refusal> {
         Ok(Self { material, motion, interface: interface.checked()? })
     }
 }
@@ -75,7 +75,7 @@ impl SteadyCurve for PerssonBrener<'_> {
         })
     }
 
-    fn material(&self) -> &Material {
+    fn material(&self) -> &PlaneMaterial {
         self.material
     }
 

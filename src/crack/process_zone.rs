@@ -8,7 +8,7 @@
 
 use super::body::CrackBody;
 use super::curve::Motion;
-use crate::material::{Material, WeightedMean};
+use crate::material::{PlaneMaterial, WeightedMean};
 use crate::refusal::{Refusal, require_positive};
 use crate::special::cohesive_kernel::{closing_intensity_kernel, closing_intensity_kernel_slope};
 
@@ -81,7 +81,7 @@ impl Interface {
 
     /// a₀ = E0Δγ/(πσ_c²) per half (m): the zone of [`ProcessZone::Growing`] with α = 1 at rest. None for a constant length.
     #[must_use]
-    pub fn relaxed_zone(&self, material: &Material) -> Option<f64> {
+    pub fn relaxed_zone(&self, material: &PlaneMaterial) -> Option<f64> {
         match self.process_zone {
             ProcessZone::Constant { .. } => None,
             ProcessZone::Growing { cohesive_stress, .. } | ProcessZone::Schapery { cohesive_stress, .. } => Some(
@@ -97,7 +97,7 @@ impl Interface {
     /// [`Refusal::Undefined`] for a law that has no length in this motion or for this material.
     pub fn zone_length(
         &self,
-        material: &Material,
+        material: &PlaneMaterial,
         motion: Motion,
         crossing_time: f64,
         drive: &WeightedMean,
@@ -144,7 +144,7 @@ impl Interface {
 
 /// N = ∫₀¹ J(T(1 − r)) r^{−1/2} dr (1/Pa): the mean that a constant closing stress forms of the creep function.
 #[must_use]
-pub fn closing_intensity_mean(material: &Material, crossing_time: f64) -> WeightedMean {
+pub(crate) fn closing_intensity_mean(material: &PlaneMaterial, crossing_time: f64) -> WeightedMean {
     // Flow: ∫ (1 − r) r^{−1/2} dr = 4/3.
     material.creep_mean(crossing_time, 2.0, 4.0 / 3.0, |z| (closing_intensity_kernel(z), closing_intensity_kernel_slope(z)))
 }

@@ -10,7 +10,7 @@
 //! as exactly the double that was given, and the toughness keeps its digits. Source: our own; the balance is thesis Eqs 5.37 and 5.41.
 
 use super::process_zone::{Interface, ProcessZone};
-use crate::material::{GivenSeries, Material};
+use crate::material::{GivenSeries, PlaneMaterial};
 use twofloat::TwoFloat;
 use twofloat::consts::PI;
 
@@ -26,9 +26,9 @@ pub struct Correction {
 /// Terms whose exponent is beyond this are counted as run out, their remainder as a small negative part.
 const RUN_OUT: f64 = 1.0;
 
-/// The correction at a crossing time, or none for a process zone that does not grow with the load.
+/// The correction at a speed (m/s) and a crossing time (s), or none for a process zone that does not grow with the load.
 #[must_use]
-pub fn correction(material: &Material, interface: &Interface, speed: f64, crossing_time: f64) -> Option<Correction> {
+pub fn correction(material: &PlaneMaterial, interface: &Interface, speed: f64, crossing_time: f64) -> Option<Correction> {
     let ProcessZone::Growing { cohesive_stress, factor } = interface.process_zone else {
         return None;
     };

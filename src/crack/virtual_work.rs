@@ -12,13 +12,13 @@
 use super::curve::{CurvePoint, Motion, SteadyCurve};
 use super::process_zone::{Interface, ProcessZone};
 use super::steep_closing::{self, Correction};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 
 /// The virtual-work theory of a steady crack.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VirtualWork<'a> {
-    material: &'a Material,
+    material: &'a PlaneMaterial,
     motion: Motion,
     interface: Interface,
 }
@@ -28,7 +28,7 @@ impl<'a> VirtualWork<'a> {
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for an interface with a number that is not positive and finite.
-    pub fn new(material: &'a Material, motion: Motion, interface: Interface) -> Result<Self, Refusal> {
+    pub fn new(material: &'a PlaneMaterial, motion: Motion, interface: Interface) -> Result<Self, Refusal> {
         Ok(Self { material, motion, interface: interface.checked()? })
     }
 }
@@ -42,7 +42,7 @@ impl SteadyCurve for VirtualWork<'_> {
         CurvePoint::of_mean(&mean, &self.interface, self.material, self.motion, crossing_time, kernels)
     }
 
-    fn material(&self) -> &Material {
+    fn material(&self) -> &PlaneMaterial {
         self.material
     }
 

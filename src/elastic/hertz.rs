@@ -38,16 +38,16 @@ pub struct HertzSphere {
 /// One equilibrium of [`HertzSphere`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzState {
-    /// Radius of the contact circle.
+    /// Radius of the contact circle (m).
     pub contact_radius: f64,
-    /// Displacement of the sphere into the half-space.
+    /// Displacement of the sphere into the half-space (m).
     pub penetration: f64,
-    /// Compressive force.
+    /// Compressive force (N).
     pub force: f64,
 }
 
 impl HertzSphere {
-    /// A sphere of radius `sphere_radius` on a half-space of contact modulus `contact_modulus`.
+    /// A sphere of radius `sphere_radius` (m) on a half-space of contact modulus `contact_modulus` (E* in Pa).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for an argument that is not finite and positive.
@@ -58,7 +58,7 @@ impl HertzSphere {
         })
     }
 
-    /// The state with a given contact radius.
+    /// The state with a given contact radius (m).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a negative radius, or one so large that the force leaves the range of doubles.
@@ -69,7 +69,7 @@ impl HertzSphere {
         Ok(HertzState { contact_radius: a, penetration, force })
     }
 
-    /// The state under a given compressive force.
+    /// The state under a given compressive force (N).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a negative force: without adhesion nothing pulls back.
@@ -89,7 +89,7 @@ impl HertzSphere {
         Ok(HertzState { penetration, ..self.state_by_contact_radius(a)? })
     }
 
-    /// The pressure at a distance `radius` from the axis; zero outside the contact.
+    /// The pressure (Pa) at a distance `radius` (m) from the axis; zero outside the contact.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a negative contact radius or distance.
@@ -102,7 +102,7 @@ impl HertzSphere {
         require_finite("pressure", 2.0 / PI * self.contact_modulus * ((a - r).sqrt() * (a + r).sqrt() / self.sphere_radius))
     }
 
-    /// The elastic energy stored in the half-space, (2/5)FΔ.
+    /// The elastic energy stored in the half-space (J), (2/5)FΔ.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a negative contact radius.

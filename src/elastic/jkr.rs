@@ -56,18 +56,18 @@ pub struct JkrSphere {
 /// One equilibrium of [`JkrSphere`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JkrState {
-    /// Radius of the contact circle.
+    /// Radius of the contact circle (m).
     pub contact_radius: f64,
-    /// Displacement of the sphere into the half-space; negative when it is held above the undeformed surface.
+    /// Displacement of the sphere into the half-space (m); negative when it is held above the undeformed surface.
     pub penetration: f64,
-    /// Compressive force; negative when pulled.
+    /// Compressive force (N); negative when pulled.
     pub force: f64,
     /// Bound on the relative error of `contact_radius` from rounding, the last bit of the imposed value included.
     pub relative_error: f64,
 }
 
 impl JkrSphere {
-    /// A sphere of radius `sphere_radius`.
+    /// A sphere of radius `sphere_radius` (m), contact modulus E* (Pa) and work of adhesion (J/m²).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for an argument that is not finite and positive; without adhesion use [`super::HertzSphere`].
@@ -120,7 +120,7 @@ impl JkrSphere {
         }
     }
 
-    /// The equilibrium with a given contact radius: always one, stable or not (see [`JkrSphere::is_stable`]).
+    /// The equilibrium with a given contact radius (m): always one, stable or not (see [`JkrSphere::is_stable`]).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a negative radius, or one so large that the force leaves the range of doubles.
@@ -130,7 +130,7 @@ impl JkrSphere {
         Ok(JkrState { contact_radius: a, ..self.state_by_neck(ratio * ratio.sqrt(), 0.0)? })
     }
 
-    /// The equilibrium under a given force (compression positive).
+    /// The equilibrium under a given force (N, compression positive).
     ///
     /// # Errors
     /// [`Refusal::NoSuchState`] for a tension above the pull-off force, and for the unstable branch under `force >= 0`;
@@ -250,7 +250,7 @@ impl JkrSphere {
         require_finite("strain_energy", self.contact_modulus * a * (offset * offset + 4.0 / 45.0 * height * height))
     }
 
-    /// The pressure at a distance `radius` from the axis, at equilibrium: compression inside, tension towards the rim.
+    /// The pressure (Pa) at a distance `radius` (m) from the axis, at equilibrium: compression inside, tension towards the rim.
     /// Zero outside the contact.
     ///
     /// # Errors

@@ -75,7 +75,7 @@ pub struct JohnsonWave {
 }
 
 impl JohnsonWave {
-    /// Adds adhesion to a wave.
+    /// Adds a work of adhesion (J/m²) to a wave.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a work of adhesion that is not finite and positive; without adhesion use the wave itself.
@@ -98,7 +98,7 @@ impl JohnsonWave {
         self.work_of_adhesion
     }
 
-    /// Johnson's α.
+    /// Johnson's α, a number.
     #[must_use]
     pub const fn adhesion_parameter(&self) -> f64 {
         self.adhesion_parameter
@@ -148,7 +148,7 @@ impl JohnsonWave {
         self.extremum(1.0)
     }
 
-    /// The equilibrium under a given mean pressure (compression positive).
+    /// The equilibrium under a given mean pressure (Pa, compression positive).
     ///
     /// # Errors
     /// [`Refusal::NoSuchState`] outside the range of the branch, with the limit; [`Refusal::OutOfRange`] for a pressure that is not
@@ -285,7 +285,7 @@ impl JohnsonWave {
         require_finite("stress_intensity_factor", excess * (self.wave.wavelength() / edge.tangent).sqrt())
     }
 
-    /// The pressure at a distance `position` from the middle of a contact, at equilibrium; zero in the gap.
+    /// The pressure (Pa) at a distance `position` (m) from the middle of a contact, at equilibrium; zero in the gap.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] at the edge itself, where the tension is infinite, and for lengths outside 0 … λ/2.
@@ -304,7 +304,7 @@ impl JohnsonWave {
         }
     }
 
-    /// The gap at a distance `position` from the middle of a contact, at equilibrium; zero in the contact.
+    /// The gap (m) at a distance `position` (m) from the middle of a contact, at equilibrium; zero in the contact.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for lengths outside 0 … λ/2.

@@ -39,7 +39,8 @@ pub struct KendallPunch {
 }
 
 impl KendallPunch {
-    /// A cylinder of radius `punch_radius`. A zero `work_of_adhesion` is allowed and gives a zero pull-off force.
+    /// A cylinder of radius `punch_radius` (m) on a body of contact modulus E* (Pa), with a work of adhesion (J/m²). A zero `work_of_adhesion` is allowed and gives a
+    /// zero pull-off force.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a radius or modulus that is not finite and positive, or a negative work of adhesion.
@@ -92,7 +93,7 @@ impl KendallPunch {
         require_finite("energy_release_rate", self.contact_modulus * opening / (2.0 * PI * self.punch_radius) * opening)
     }
 
-    /// The pressure under the face at a distance `radius` from the axis (negative under a pull); zero beyond the rim.
+    /// The pressure (Pa) under the face at a penetration (m) and a distance `radius` (m) from the axis (negative under a pull); zero beyond the rim.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] at the rim itself, where it is infinite, and for a negative distance.

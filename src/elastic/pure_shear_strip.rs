@@ -119,7 +119,7 @@ impl PureShearStrip {
         require_finite("stress", modulus * (require_finite("grip_displacement", grip_displacement)? / self.half_height))
     }
 
-    /// The energy release rate of an elastic strip, both halves together: 2h·W = K²/E*. Half of it belongs to one half-strip against a
+    /// The energy release rate (J/m²) of an elastic strip under a stress (Pa), both halves together: 2h·W = K²/E*. Half of it belongs to one half-strip against a
     /// rigid base.
     ///
     /// # Errors

@@ -57,7 +57,7 @@ impl CreepingStrip {
         Ok(Self { glassy_compliance: require_positive("glassy_compliance", glassy_compliance)?, creep_terms: terms })
     }
 
-    /// The strain at `time` after a stress step of height `stress`.
+    /// The strain at `time` (s) after a stress step of height `stress` (Pa).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a negative time, or a stress that is not finite.
@@ -66,7 +66,7 @@ impl CreepingStrip {
         require_finite("strain", require_finite("stress", stress)? * (self.glassy_compliance + creep))
     }
 
-    /// The elastic energy per volume stored at `time` after a stress step of height `stress` (thesis Eq 5.48).
+    /// The elastic energy per volume (J/m³) stored at `time` (s) after a stress step of height `stress` (Pa) (thesis Eq 5.48).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a negative time, or a stress that is not finite.
@@ -76,7 +76,7 @@ impl CreepingStrip {
         require_finite("stored_energy_density", 0.5 * stress * (stress * (self.glassy_compliance + stored)))
     }
 
-    /// The energy per volume dissipated between the stress step and `time`.
+    /// The energy per volume (J/m³) dissipated between the stress step (Pa) and `time` (s).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a negative time, or a stress that is not finite.
@@ -96,7 +96,7 @@ impl CreepingStrip {
     }
 }
 
-/// The elastic twin: energy per volume of an elastic strip under `stress`, width free, ½σ²/E* with E* of the plane state.
+/// The elastic counterpart: energy per volume of an elastic strip under `stress`, width free, ½σ²/E* with E* of the plane state.
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`] for a modulus that is not positive, a stress that is not finite, or a Poisson ratio outside −1 < ν ≤ 0.5.

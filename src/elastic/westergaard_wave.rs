@@ -72,7 +72,7 @@ impl WaveState {
 }
 
 impl WestergaardWave {
-    /// A wave of the given length and amplitude (half the height from trough to crest).
+    /// A wave of the given length and amplitude (m; half the height from trough to crest).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for an argument that is not finite and positive.
@@ -84,19 +84,19 @@ impl WestergaardWave {
         })
     }
 
-    /// The contact modulus E*.
+    /// The contact modulus E* (Pa).
     #[must_use]
     pub const fn contact_modulus(&self) -> f64 {
         self.contact_modulus
     }
 
-    /// The wavelength λ.
+    /// The wavelength λ (m).
     #[must_use]
     pub const fn wavelength(&self) -> f64 {
         self.wavelength
     }
 
-    /// The amplitude Λ.
+    /// The amplitude Λ (m).
     #[must_use]
     pub const fn amplitude(&self) -> f64 {
         self.amplitude
@@ -108,13 +108,13 @@ impl WestergaardWave {
         2.0 * PI / self.wavelength
     }
 
-    /// The mean pressure that closes the gap without adhesion: p* = E*kΛ/2 = πE*Λ/λ.
+    /// The mean pressure (Pa) that closes the gap without adhesion: p* = E*kΛ/2 = πE*Λ/λ.
     #[must_use]
     pub fn full_contact_pressure(&self) -> f64 {
         PI * self.contact_modulus * (self.amplitude / self.wavelength)
     }
 
-    /// The state with a given contact half-width.
+    /// The state with a given contact half-width (m).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] outside 0 ≤ a ≤ λ/2.
@@ -124,7 +124,7 @@ impl WestergaardWave {
         Ok(WaveState { contact_half_width, ..self.state(edge, f64::EPSILON) })
     }
 
-    /// The state with a given gap half-width b = λ/2 − a: the way in when the contact is almost full.
+    /// The state with a given gap half-width b = λ/2 − a (m): the way in when the contact is almost full.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] outside 0 ≤ b ≤ λ/2.
@@ -134,7 +134,7 @@ impl WestergaardWave {
         Ok(WaveState { gap_half_width, ..self.state(edge, f64::EPSILON) })
     }
 
-    /// The state under a given mean pressure; full contact from p* on.
+    /// The state under a given mean pressure (Pa); full contact from p* on.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a negative pressure: without adhesion nothing pulls back.
@@ -175,7 +175,7 @@ impl WestergaardWave {
         Ok(WaveState { penetration, ..self.state(Edge { tangent }, error) })
     }
 
-    /// The pressure at a distance `position` from the middle of a contact of a given half-width; zero in the gap.
+    /// The pressure (Pa) at a distance `position` (m) from the middle of a contact of a given half-width; zero in the gap.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a half-width outside 0 … λ/2 or a position that is not within half a wavelength of the middle.
@@ -189,7 +189,7 @@ impl WestergaardWave {
         require_finite("pressure", 2.0 * self.full_contact_pressure() * half.cos() * self.chord(contact_half_width, distance))
     }
 
-    /// The gap at a distance `position` from the middle of a contact of a given half-width; zero in the contact.
+    /// The gap (m) at a distance `position` (m) from the middle of a contact of a given half-width; zero in the contact.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a half-width outside 0 … λ/2 or a position that is not within half a wavelength of the middle.

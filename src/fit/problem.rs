@@ -94,7 +94,13 @@ pub struct Problem<'m> {
     pub starts: usize,
 }
 
-impl Problem<'_> {
+impl<'m> Problem<'m> {
+    /// Least squares by one descent. Other fits by struct update of it.
+    #[must_use]
+    pub const fn squares(parameters: Vec<Parameter>, data: Vec<f64>, groups: Vec<Group>, model: Model<'m>) -> Self {
+        Self { parameters, data, groups, model, loss: Loss::Squares, starts: 1 }
+    }
+
     /// Values at coordinates.
     pub(super) fn values(&self, coordinates: &[f64]) -> Vec<f64> {
         self.parameters.iter().zip(coordinates).map(|(parameter, &coordinate)| parameter.value(coordinate)).collect()

@@ -2,10 +2,10 @@
 
 use super::corners::{AT_MARK, PLACE_NOISE};
 use super::edge::{Drive, Imposed, Trial};
+use super::integrator::{HALF, Integrator, NEARLY};
 use super::line::NARROWEST;
-use super::marcher::{HALF, Marcher, NEARLY};
 use super::motion::Motion;
-use super::past::Node;
+use super::path_history::Node;
 use super::solution::EventKind;
 use super::stepping::{EdgeStep, Stepper, TimeStep, Way};
 use crate::refusal::Refusal;
@@ -33,7 +33,7 @@ pub(super) const SLOWEST: f64 = 0.2;
 const DEPTH_NOISE: f64 = 1e-12;
 /// Motion over the process zone that is none.
 const AT_REST: f64 = 1e-9;
-/// Halvings of the time at which a rim gives way.
+/// Halvings of the time at which a rim detaches.
 const RIM_HALVINGS: u32 = 50;
 /// Attempts at the instant at which the edge turns.
 const MOST_TURNINGS: u32 = 24;
@@ -46,7 +46,7 @@ enum Choice {
     Time { guess: f64 },
 }
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// One step of at most `cap`.
     pub(super) fn advance(&mut self, cap: f64, left: f64, target: f64, imposed: &Imposed<'_>) -> Result<(), Refusal> {
         let (mut reach, mut cap) = (self.reach.min(self.largest_reach()), cap);
@@ -59,8 +59,8 @@ impl Marcher<'_> {
                 reach = reach.min(0.5 * TOWARDS_FOLD * beyond);
             } else {
                 // Just behind a corner the first steps are too short to tell of a fold.
-                let told = self.past.nodes().last().is_some_and(|oldest| (a - oldest.radius).abs() > distance);
-                if told && self.is_at_fold(imposed, distance)? && self.is_unstable(imposed, 0.0)? == Some(true) {
+                let far_enough = self.path_history.nodes().last().is_some_and(|oldest| (a - oldest.radius).abs() > distance);
+                if far_enough && self.is_at_fold(imposed, distance)? && self.is_unstable(imposed, 0.0)? == Some(true) {
                     let fold = self.fold_by_edge_condition(imposed, distance)?;
                     return self.lost(true, Some(fold), imposed);
                 }
@@ -84,7 +84,7 @@ impl Marcher<'_> {
                 Some(choice) => choice,
                 None if way == Way::None => Choice::Time { guess: a },
                 None => match self.choose(reach, cap) {
-                    // An edge that would stop short of the end of the stretch: two equal steps of time.
+                    // An edge that would stop short of the end of the segment: two equal steps of time.
                     Choice::Edge { guess, .. } if guess > HALF * left && guess < NEARLY * left && cap > HALF * left => {
                         cap = HALF * left;
                         Choice::Time { guess: self.place_after(cap, reach) }
@@ -178,7 +178,7 @@ impl Marcher<'_> {
             let may_turn = !by_edge || self.reverses(trial.motion.to);
             if may_turn && turnings < MOST_TURNINGS && self.moves(trial.motion.to) {
                 let place = self.contact.profile().coordinate(trial.motion.to);
-                if let Some(time) = self.past.turn((trial.motion.time, place)) {
+                if let Some(time) = self.path_history.turn((trial.motion.time, place)) {
                     let part = time / trial.motion.time;
                     let near = self.at_turn();
                     longest = longest.max(trial.motion.time);
@@ -228,27 +228,27 @@ impl Marcher<'_> {
         Err(Refusal::NotConverged { what: "a step of the contact", detail: format!("at t = {:e}, a = {a:e}", self.time) })
     }
 
-    /// The rim holds the edge for a while yet: goes to the instant at which it gives way, and starts anew from there.
+    /// The rim holds the edge for a while yet: goes to the instant at which it detaches, and starts anew from there.
     fn leave_rim(&mut self, cap: f64, left: f64, target: f64, imposed: &Imposed<'_>) -> Result<bool, Refusal> {
         let rim = self.contact.profile().rim();
         if self.contact.radius() < rim {
             return Ok(false);
         }
         // At its zero already: near a peak of the load the time to it would be noise.
-        let here = self.edge.trial(&self.contact, &self.past, (rim, 0.0), Drive::Time, imposed)?;
+        let here = self.edge.trial(&self.contact, &self.path_history, (rim, 0.0), Drive::Time, imposed)?;
         if here.residual >= -self.edge_tolerance() {
             return Ok(false);
         }
         let (mut low, mut high) = (0.0, cap);
         for _ in 0..RIM_HALVINGS {
             let middle = 0.5 * (low + high);
-            let trial = self.edge.trial(&self.contact, &self.past, (rim, middle), Drive::Time, imposed)?;
+            let trial = self.edge.trial(&self.contact, &self.path_history, (rim, middle), Drive::Time, imposed)?;
             if trial.residual <= 0.0 { low = middle } else { high = middle }
         }
         if low <= (1e-9 * cap).max(4.0 * f64::EPSILON * self.time) {
             return Ok(false);
         }
-        let trial = self.edge.trial(&self.contact, &self.past, (rim, low), Drive::Time, imposed)?;
+        let trial = self.edge.trial(&self.contact, &self.path_history, (rim, low), Drive::Time, imposed)?;
         self.go(&trial.motion, trial.penetration);
         self.went(low, left, target, 0.0);
         self.restart();
@@ -266,7 +266,7 @@ impl Marcher<'_> {
         let dt = trial.motion.time;
         let rim = self.contact.profile().rim();
         if dt > 0.0 && trial.degree > 2 {
-            let (by_place, by_time) = self.edge.terms(&self.contact, &self.past, (trial.motion.to, dt));
+            let (by_place, by_time) = self.edge.terms(&self.contact, &self.path_history, (trial.motion.to, dt));
             if by_time < SMOOTHER * by_place {
                 self.smooth_in_time = true;
             } else if by_place < SMOOTHER * by_time {
@@ -289,7 +289,7 @@ impl Marcher<'_> {
         }
         // A rim stops the edge: a corner of its path.
         if landing || arrived {
-            self.restart_at_landmark();
+            self.restart_at_kink();
         }
         Ok(())
     }
@@ -302,11 +302,11 @@ impl Marcher<'_> {
 
     fn stepper(&mut self) -> Stepper<'_, '_> {
         let tolerance = if self.is_near_fold() { FOLD_TOLERANCE } else { self.edge_tolerance() };
-        Stepper { edge: &mut self.edge, contact: &self.contact, past: &self.past, tolerance, slopes: &mut self.slopes }
+        Stepper { edge: &mut self.edge, contact: &self.contact, path_history: &self.path_history, tolerance, slopes: &mut self.slopes }
     }
 
     fn choose(&self, reach: f64, cap: f64) -> Choice {
-        let nodes = self.past.nodes();
+        let nodes = self.path_history.nodes();
         let (Some(now), Some(before)) = (nodes.first(), nodes.get(1)) else {
             return Choice::Time { guess: self.contact.radius() };
         };
@@ -318,7 +318,7 @@ impl Marcher<'_> {
         let pace = -before.time / way.abs() * reach;
         let target = if inwards { now.radius - reach } else { now.radius + reach };
         let guess = self
-            .past
+            .path_history
             .extrapolated(EXTRAPOLATION, |node| (node.radius - target, node.time))
             .filter(|dt| *dt > 0.1 * pace && *dt < 10.0 * pace)
             .unwrap_or(pace);
@@ -328,7 +328,7 @@ impl Marcher<'_> {
     /// Where the edge is probably going to be.
     fn place_after(&self, dt: f64, reach: f64) -> f64 {
         let here = self.contact.radius();
-        let guess = self.past.extrapolated(EXTRAPOLATION, |node: &Node| (node.time - dt, node.radius));
+        let guess = self.path_history.extrapolated(EXTRAPOLATION, |node: &Node| (node.time - dt, node.radius));
         let guess = guess.unwrap_or(here).clamp(here - reach, here + reach);
         // An edge at rest stays: extrapolated rounding is no motion.
         if (guess - here).abs() < AT_REST * self.length { here } else { guess }

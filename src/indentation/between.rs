@@ -1,10 +1,10 @@
-//! Errors of the points of a path between kept instants: every other march is looked at where the point is.
+//! Errors of the points of a path between kept instants: every other integration is looked at where the point is.
 //!
-//! Marches take different steps, so the other path is read between its own points. Where it has one at the same time, that counts; where it has one hardly earlier or later
-//! (an edge that turns, a contact that is lost), the value goes on from there as steeply as it does anywhere beside; else a cubic goes through four points
-//! of one smooth piece, and what it differs by from the straight line and the parabola tells how well. Where none of them is there, nothing is known.
+//! Integrations take different steps, so the other path is read between its own points. Where it has one at the same time, that counts; where it has one hardly earlier
+//! or later (an edge that turns, a contact that is lost), the value goes on from there as steeply as it does anywhere beside; else a cubic goes through four points of
+//! one smooth piece, and what it differs by from the straight line and the parabola tells how well. Where none of them is there, nothing is known.
 
-use super::convergence::{Heard, Ladder};
+use super::convergence::{Compared, Ladder};
 use super::solution::{PathPoint, Trace};
 
 /// Quantities of a point whose errors are known: Δ, F, a, K.
@@ -19,17 +19,20 @@ fn of(point: &PathPoint) -> [f64; QUANTITIES] {
     [point.penetration, point.force, point.contact_radius, point.stress_intensity_factor]
 }
 
-/// Bounds on Δ, F, a and K at every point of the path of the march whose numbers are shown; infinite where another march does not show them.
-pub(super) fn errors(ladder: &Ladder, heard: Heard<&Trace>, march: &Trace) -> Vec<[f64; QUANTITIES]> {
-    let path = &march.path;
-    let mut places = heard.map(|_| 0);
+/// Bounds on Δ, F, a and K at every point of the path of the integration whose numbers are shown; infinite where another integration does not show them.
+pub(super) fn errors(ladder: &Ladder, compared: Compared<&Trace>, integration: &Trace) -> Vec<[f64; QUANTITIES]> {
+    let path = &integration.path;
+    let mut places = compared.map(|_| 0);
     let mut found = Vec::with_capacity(path.len());
     for (index, point) in path.iter().enumerate() {
-        let mut seen: Heard<[(f64, f64); QUANTITIES]> = heard.map(|_| None);
-        for ((seen, other), place) in seen.iter_mut().zip(heard).zip(&mut places) {
+        let mut seen: Compared<[(f64, f64); QUANTITIES]> = compared.map(|_| None);
+        for ((seen, other), place) in seen.iter_mut().zip(compared).zip(&mut places) {
             let Some(other) = other else { continue };
-            *seen =
-                if std::ptr::eq(other, march) { Some(of(point).map(|value| (value, 0.0))) } else { read(path, index, &other.path, place) };
+            *seen = if std::ptr::eq(other, integration) {
+                Some(of(point).map(|value| (value, 0.0)))
+            } else {
+                read(path, index, &other.path, place)
+            };
         }
         found.push(std::array::from_fn(|quantity| {
             let values = seen.map(|seen| seen.and_then(|seen| seen.get(quantity).copied()));
@@ -130,7 +133,7 @@ mod tests {
     }
 
     fn found(own: &Trace, finer: &Trace) -> Vec<[f64; QUANTITIES]> {
-        let ladder = Ladder { tolerances: [Some(1e-3), Some(1.0), None, None], told: 1, reduction: None };
+        let ladder = Ladder { tolerances: [Some(1e-3), Some(1.0), None, None], reported: 1, reduction: None };
         errors(&ladder, [Some(finer), Some(own), None, None], own)
     }
 

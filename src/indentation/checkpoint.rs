@@ -1,26 +1,26 @@
-//! What a killed run goes on from: every number of the march under way, bit for bit, and the marches before it.
+//! What a killed run goes on from: every number of the integration under way, bit for bit, and the integrations before it.
 //!
-//! A march is a chain of steps; a checkpoint is taken between two of them and holds all that the next one reads. What a march remembers only to
-//! be quick (the panels of the last trial, the kernel of the last edge) is left out, and forgotten before each step, so that a march with
+//! An integration is a chain of steps; a checkpoint is taken between two of them and holds all that the next one reads. What an integration remembers only to
+//! be quick (the panels of the last trial, the kernel of the last edge) is left out, and forgotten before each step, so that an integration with
 //! checkpoints and one without take the same steps to the last bit.
 
 use super::by_panels::PanelsState;
+use super::current_segment::{Place, part, weight};
+use super::cycle_integrals::CycleIntegrals;
 use super::history::Controlled;
+use super::integrator::Integrator;
 use super::line::{Cell, Contact};
-use super::marcher::Marcher;
-use super::meter::Meter;
 use super::panel::POINTS;
-use super::past::Past;
+use super::path_history::PathHistory;
 use super::record::{Record, RecordState};
 use super::rim::Rim;
 use super::solution::{IndentationWork, Trace};
-use super::stretch::{Place, part, weight};
 use crate::refusal::Refusal;
 use serde::{Deserialize, Serialize};
 
-/// Told how far a run is, and given what it can go on from.
+/// Receives how far a run is, and what it can go on from.
 pub trait Watch: Sync {
-    /// March `number` (from 1; each is tighter than the one before) has done a part (0…1) of its history.
+    /// Integration `number` (from 1; each is tighter than the one before) has done a part (0…1) of its history.
     fn passed(&self, number: u32, part: f64);
     /// Whether a checkpoint is wanted now; asked between any two steps.
     fn wants_checkpoint(&self) -> bool;
@@ -44,21 +44,21 @@ pub(super) enum RunState {
 /// A run by time steps.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct StepsState {
-    /// Marches that are finished, and the tolerance of the one under way.
+    /// Integrations that are finished, and the tolerance of the one under way.
     pub(super) finished: u32,
     pub(super) tolerance: f64,
     /// The last finished ones, the finest first.
-    pub(super) marches: Vec<Trace>,
+    pub(super) integrations: Vec<Trace>,
     pub(super) work: IndentationWork,
-    pub(super) march: MarchState,
+    pub(super) integration: IntegrationState,
 }
 
-/// A march between two steps.
+/// An integration between two steps.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct MarchState {
+pub(super) struct IntegrationState {
     contact: ContactState,
     edge: (Option<u32>, u64, u64),
-    past: Past,
+    path_history: PathHistory,
     origin: f64,
     time: f64,
     reach: f64,
@@ -66,11 +66,11 @@ pub(super) struct MarchState {
     corner: f64,
     first: f64,
     pace: Option<(Controlled, f64)>,
-    landmarks: Vec<(f64, u32)>,
+    kink_places: Vec<(f64, u32)>,
     turns: Vec<f64>,
     slopes: (f64, f64),
     smooth_in_time: bool,
-    meter: Option<Meter>,
+    cycle_integrals: Option<CycleIntegrals>,
     record: RecordState,
     pub(super) place: Place,
 }
@@ -119,9 +119,9 @@ pub(super) fn foreign(why: &str) -> Refusal {
     Refusal::Undefined { quantity: "the rest of the run", reason: format!("the checkpoint is of another problem: {why}") }
 }
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// All that the next step reads.
-    fn state(&self) -> MarchState {
+    fn state(&self) -> IntegrationState {
         // Every field is named: a new one must be given a place, or a reason.
         let Self {
             springs: _,
@@ -133,7 +133,7 @@ impl Marcher<'_> {
             opening: _,
             contact,
             edge,
-            past,
+            path_history,
             origin,
             time,
             reach,
@@ -141,18 +141,18 @@ impl Marcher<'_> {
             corner,
             first,
             pace,
-            landmarks,
+            kink_places,
             turns,
             slopes,
             smooth_in_time,
-            meter,
+            cycle_integrals,
             record,
             place,
         } = self;
-        MarchState {
+        IntegrationState {
             contact: ContactState::of(contact),
             edge: (edge.held, edge.evaluations, edge.updates),
-            past: past.clone(),
+            path_history: path_history.clone(),
             origin: *origin,
             time: *time,
             reach: *reach,
@@ -160,22 +160,22 @@ impl Marcher<'_> {
             corner: *corner,
             first: *first,
             pace: *pace,
-            landmarks: landmarks.clone(),
+            kink_places: kink_places.clone(),
             turns: turns.clone(),
             slopes: *slopes,
             smooth_in_time: *smooth_in_time,
-            meter: meter.clone(),
+            cycle_integrals: cycle_integrals.clone(),
             record: record.state(),
             place: *place,
         }
     }
 
-    /// A march as new, put where a checkpoint was taken.
-    pub(super) fn restore(&mut self, state: MarchState) -> Result<(), Refusal> {
-        let MarchState {
+    /// An integration as new, put where a checkpoint was taken.
+    pub(super) fn restore(&mut self, state: IntegrationState) -> Result<(), Refusal> {
+        let IntegrationState {
             contact,
             edge,
-            past,
+            path_history,
             origin,
             time,
             reach,
@@ -183,28 +183,29 @@ impl Marcher<'_> {
             corner,
             first,
             pace,
-            landmarks,
+            kink_places,
             turns,
             slopes,
             smooth_in_time,
-            meter,
+            cycle_integrals,
             record,
             place,
         } = state;
         if place.segment >= self.problem.history.segments.len() {
-            return Err(foreign("its history has fewer stretches"));
+            return Err(foreign("its history has fewer segments"));
         }
         self.record = Record::restored(record, &self.contact)?;
         self.contact = contact.restored(&self.contact)?;
         let (held, evaluations, updates) = edge;
         self.edge.restore(held, evaluations, updates);
-        (self.past, self.pace, self.landmarks, self.turns, self.slopes, self.meter) = (past, pace, landmarks, turns, slopes, meter);
+        (self.path_history, self.pace, self.kink_places, self.turns, self.slopes, self.cycle_integrals) =
+            (path_history, pace, kink_places, turns, slopes, cycle_integrals);
         (self.origin, self.time, self.reach, self.dt, self.corner, self.first) = (origin, time, reach, dt, corner, first);
         (self.place, self.smooth_in_time) = (place, smooth_in_time);
         Ok(())
     }
 
-    /// Between two steps: tells how far the march is, and leaves a checkpoint where one is wanted.
+    /// Between two steps: tells how far the integration is, and leaves a checkpoint where one is wanted.
     pub(super) fn observe(&self) {
         let Some(observer) = &self.observer else { return };
         let segments = &self.problem.history.segments;
@@ -216,19 +217,19 @@ impl Marcher<'_> {
             let state = StepsState {
                 finished: observer.finished,
                 tolerance: self.tolerance,
-                marches: observer.marches.to_vec(),
+                integrations: observer.integrations.to_vec(),
                 work: observer.work,
-                march: self.state(),
+                integration: self.state(),
             };
             observer.watch.checkpoint(&Checkpoint { run: RunState::Steps(Box::new(state)) });
         }
     }
 }
 
-/// Who watches a march, and what the run knows besides it.
+/// Who watches an integration, and what the run knows besides it.
 pub(super) struct Observer<'a> {
     pub(super) watch: &'a dyn Watch,
     pub(super) finished: u32,
-    pub(super) marches: &'a [Trace],
+    pub(super) integrations: &'a [Trace],
     pub(super) work: IndentationWork,
 }

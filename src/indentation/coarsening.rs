@@ -14,9 +14,9 @@ impl Contact<'_> {
         for (index, cell) in self.cells.iter().enumerate() {
             let Some(own) = self.values.get(index * size..(index + 1) * size) else { return };
             let join = cells.last().is_some_and(|last: &Cell| {
-                let apart = last.bonded != cell.bonded || (last.high - self.radius).abs() <= NARROWEST * self.radius;
+                let separate = last.bonded != cell.bonded || (last.high - self.radius).abs() <= NARROWEST * self.radius;
                 let start = values.len().saturating_sub(size);
-                !apart && union((last, values.get(start..).unwrap_or(&[])), (cell, own), n, tolerance, &mut joined)
+                !separate && union((last, values.get(start..).unwrap_or(&[])), (cell, own), n, tolerance, &mut joined)
             });
             if join {
                 let start = values.len() - size;

@@ -1,57 +1,58 @@
-//! What is left of the error of a number, told by marches that are tighter than the one that it is of.
+//! What is left of the error of a number, shown by integrations that are tighter than the one that it is of.
 //!
-//! The steps of a march follow its own errors, so that two marches take different ones and the errors of single numbers scatter, through zero as well: no march can tell
-//! from looser ones how far off it happens to be. Tighter ones can. The number is that of a march with two behind it, a hundred times tighter in all ([`TIGHTER`]):
-//! its change to the finest is its error but for that of the finest, which is a hundredth as large as a rule. What the finest errs by is guessed from how far every other
-//! march is off from it, over how much looser that one was; the largest guess counts [`DOUBT`] times.
+//! The steps of an integration follow its own errors, so that two integrations take different ones and the errors of single numbers scatter, through zero as well: no
+//! integration can tell from looser ones how far off it happens to be. Tighter ones can. The number is that of an integration with two behind it, a hundred times
+//! tighter in all ([`TIGHTER`]): its change to the finest is its error but for that of the finest, which is a hundredth as large as a rule. What the finest errs by is
+//! guessed from how far every other integration is off from it, over how much looser that one was; the largest guess counts [`SAFETY_FACTOR`] times.
 
-/// Each march is tighter than the one before by this.
+/// Each integration is tighter than the one before by this.
 pub(super) const TIGHTER: f64 = 0.1;
-/// Marches behind the one whose numbers are told.
+/// Integrations behind the one whose numbers are reported.
 pub(super) const BEHIND: usize = 2;
-/// Marches that are heard, at most: one looser, should the accuracy need it, the one whose numbers are told, and those behind it.
-pub(super) const HEARD: usize = BEHIND + 2;
-/// Error of a number of the finest march, at most, over the largest guess of it. Needed were 218 and 88 once each and 61 otherwise in 100 000 values of 360 random spheres at
-/// eleven tolerances.
-const DOUBT: f64 = 300.0;
+/// Integrations that are compared, at most: one looser, should the accuracy need it, the one whose numbers are reported, and those behind it.
+pub(super) const COMPARED: usize = BEHIND + 2;
+/// Error of a number of the finest integration, at most, over the largest guess of it. Needed were 218 and 88 once each and 61 otherwise in 100 000 values of 360
+/// random spheres at eleven tolerances.
+const SAFETY_FACTOR: f64 = 300.0;
 
 /// Error of a number of the finest path by panels, at most, over the change of the one before to it: the larger of that change itself and of what the change of a
 /// path looser still, over the reduction observed, makes one expect where the two agree by accident.
 const OF_PANELS: f64 = 4.0;
 
-/// The same of each march that is heard, the finest first; none where there is none.
-pub(super) type Heard<T> = [Option<T>; HEARD];
+/// The same of each integration that is compared, the finest first; none where there is none.
+pub(super) type Compared<T> = [Option<T>; COMPARED];
 
-/// Marches by their tolerances, the finest first, and the place among them of the one whose numbers are told.
+/// Integrations by their tolerances, the finest first, and the place among them of the one whose numbers are reported.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ladder {
-    pub(super) tolerances: Heard<f64>,
-    pub(super) told: usize,
+    pub(super) tolerances: Compared<f64>,
+    pub(super) reported: usize,
     /// What the change between a looser path and the finest is over that of the one before, as observed over a whole history: of paths by panels.
     pub(super) reduction: Option<f64>,
 }
 
 impl Ladder {
-    /// A bound on the error of the value told; infinite where the marches behind it do not have the value, or no other march has.
-    pub(super) fn error(&self, values: Heard<f64>) -> f64 {
+    /// A bound on the error of the value reported; infinite where the integrations behind it do not have the value, or no other integration has.
+    pub(super) fn error(&self, values: Compared<f64>) -> f64 {
         let (Some(finest), [Some(tightest), ..]) = (values[0], self.tolerances) else { return f64::INFINITY };
         let others = self.tolerances.iter().zip(values).enumerate().skip(1);
-        let mut doubt: Option<f64> = None;
+        let mut guess: Option<f64> = None;
         for (place, (tolerance, value)) in others {
             match (tolerance, value) {
-                (Some(tolerance), Some(value)) => doubt = Some(doubt.unwrap_or(0.0).max(tightest / tolerance * (value - finest).abs())),
-                _ if place <= self.told => return f64::INFINITY,
+                (Some(tolerance), Some(value)) => guess = Some(guess.unwrap_or(0.0).max(tightest / tolerance * (value - finest).abs())),
+                _ if place <= self.reported => return f64::INFINITY,
                 _ => {}
             }
         }
-        let told = values.get(self.told).copied().flatten();
-        let change = told.map_or(f64::INFINITY, |value| (value - finest).abs());
+        let reported = values.get(self.reported).copied().flatten();
+        let change = reported.map_or(f64::INFINITY, |value| (value - finest).abs());
         if let Some(reduction) = self.reduction {
-            let looser = values.get(self.told + 1).copied().flatten();
-            let changes = looser.zip(told).map_or(f64::INFINITY, |(looser, told)| (looser - finest).abs().max((looser - told).abs()));
+            let looser = values.get(self.reported + 1).copied().flatten();
+            let changes =
+                looser.zip(reported).map_or(f64::INFINITY, |(looser, reported)| (looser - finest).abs().max((looser - reported).abs()));
             return change + OF_PANELS * change.max(reduction * changes);
         }
-        doubt.map_or(f64::INFINITY, |doubt| change + DOUBT * doubt)
+        guess.map_or(f64::INFINITY, |guess| change + SAFETY_FACTOR * guess)
     }
 }
 
@@ -60,30 +61,30 @@ impl Ladder {
 mod tests {
     use super::*;
 
-    /// Three marches at 1e-4, 1e-5 and 1e-6, the first told.
-    const LADDER: Ladder = Ladder { tolerances: [Some(1e-6), Some(1e-5), Some(1e-4), None], told: 2, reduction: None };
+    /// Three integrations at 1e-4, 1e-5 and 1e-6, the first reported.
+    const LADDER: Ladder = Ladder { tolerances: [Some(1e-6), Some(1e-5), Some(1e-4), None], reported: 2, reduction: None };
 
     fn off(errors: [f64; 3]) -> f64 {
         LADDER.error([Some(1.0 + errors[0]), Some(1.0 + errors[1]), Some(1.0 + errors[2]), None])
     }
 
     #[test]
-    fn errors_that_go_with_the_tolerance_have_a_bar_of_some_times_themselves() {
+    fn errors_that_go_with_the_tolerance_have_a_bound_of_some_times_themselves() {
         let bar = off([1e-9, 1e-8, 1e-7]);
-        // The change to the finest, 0.99e-7, and DOUBT times the guesses (1e-7 − 1e-9)/100 and (1e-8 − 1e-9)/10 of its error, of which the first is larger.
-        assert!((bar - 0.99e-7 * (1.0 + DOUBT / 100.0)).abs() < 1e-13, "{bar:e}");
+        // The change to the finest, 0.99e-7, and SAFETY_FACTOR times the guesses (1e-7 − 1e-9)/100 and (1e-8 − 1e-9)/10 of its error, of which the first is larger.
+        assert!((bar - 0.99e-7 * (1.0 + SAFETY_FACTOR / 100.0)).abs() < 1e-13, "{bar:e}");
     }
 
     #[test]
-    fn errors_that_are_small_by_accident_have_bars() {
-        // The one told errs as the finest does, so that its change is nothing: the one in between tells.
+    fn errors_that_are_small_by_accident_have_bounds() {
+        // The one reported errs as the finest does, so that its change is nothing: the one in between tells.
         let bar = off([1e-9, 1e-8, 1e-9]);
-        assert!((bar - DOUBT * 0.9e-9).abs() < 1e-14 && bar > 1e-9, "{bar:e}");
-        // The one in between errs as the finest does: the change of the one told is as large as it should be.
+        assert!((bar - SAFETY_FACTOR * 0.9e-9).abs() < 1e-14 && bar > 1e-9, "{bar:e}");
+        // The one in between errs as the finest does: the change of the one reported is as large as it should be.
         assert!(off([1e-9, 1e-9, 1e-7]) > 1e-7);
     }
 
-    /// A finest march that errs by as much as the one told, the other way.
+    /// A finest integration that errs by as much as the one reported, the other way.
     #[test]
     fn errors_that_do_not_fall_are_in_the_change() {
         let tight = Ladder { tolerances: [Some(1e-9), Some(1e-7), Some(1e-5), None], ..LADDER };
@@ -91,16 +92,16 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_told_without_the_marches_behind() {
-        let [fine, middle, told] = [Some(1.0), Some(1.0), Some(1.0)];
-        assert_eq!(LADDER.error([fine, middle, told, None]).to_bits(), 0.0_f64.to_bits());
-        for values in [[None, middle, told, None], [fine, None, told, None], [fine, middle, None, None]] {
+    fn nothing_is_reported_without_the_integrations_behind() {
+        let [fine, middle, reported] = [Some(1.0), Some(1.0), Some(1.0)];
+        assert_eq!(LADDER.error([fine, middle, reported, None]).to_bits(), 0.0_f64.to_bits());
+        for values in [[None, middle, reported, None], [fine, None, reported, None], [fine, middle, None, None]] {
             assert!(LADDER.error(values).is_infinite(), "{values:?}");
         }
         // The finest of all, by looser ones alone: one does.
-        let finest = Ladder { told: 0, ..LADDER };
+        let finest = Ladder { reported: 0, ..LADDER };
         let bar = finest.error([Some(1.0), Some(1.0 + 1e-8), None, None]);
-        assert!((bar - DOUBT * 1e-9).abs() < 1e-14, "{bar:e}");
+        assert!((bar - SAFETY_FACTOR * 1e-9).abs() < 1e-14, "{bar:e}");
         assert!(finest.error([Some(1.0), None, None, None]).is_infinite());
     }
 }

@@ -1,19 +1,19 @@
 //! What one cycle of an oscillation turns out to be.
 
-use super::convergence::Heard;
+use super::convergence::Compared;
 use crate::estimate::Estimate;
 use serde::{Deserialize, Serialize};
 
 /// Place of the drift among the quantities.
 const DRIFT: usize = 10;
 
-/// One whole cycle of a stretch that oscillates; `T` is `f64` in one march, [`Estimate`] in a solution.
+/// One whole cycle of a segment that oscillates; `T` is `f64` in one integration, [`Estimate`] in a solution.
 ///
 /// Amplitudes are of the fundamental, x ≈ mean + in_phase·sin φ + quadrature·cos φ, φ the phase of what is controlled, with the straight line
 /// between both ends of the cycle taken off first, so that a ramp beneath does not count.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Cycle<T> {
-    /// Which stretch of the history, from 0.
+    /// Which segment of the history, from 0.
     pub segment: usize,
     /// Which cycle of it, from 1.
     pub number: u64,
@@ -38,19 +38,23 @@ pub struct Cycle<T> {
     /// Largest change of mean, work and extremes against the cycle before, over their scales, carried on for the longest relaxation time: what
     /// the cycles may still drift. Infinite for the first.
     pub drift: f64,
-    /// Bound on the error of the drift; of one march none is known.
+    /// Bound on the error of the drift; of one integration none is known.
     #[serde(default)]
     pub drift_error: f64,
 }
 
 impl Cycle<f64> {
-    /// With errors by a function of the place of a quantity among eleven, the drift being the last, its value and those of all marches that are heard.
-    pub(super) fn judged(&self, heard: Heard<&Self>, mut estimate: impl FnMut(usize, f64, Heard<f64>) -> Estimate) -> Cycle<Estimate> {
-        let drift_error = estimate(DRIFT, self.drift, heard.map(|cycle| cycle.map(|cycle| cycle.drift))).error;
+    /// With errors by a function of the place of a quantity among eleven, the drift being the last, its value and those of all integrations that are compared.
+    pub(super) fn assessed(
+        &self,
+        compared: Compared<&Self>,
+        mut estimate: impl FnMut(usize, f64, Compared<f64>) -> Estimate,
+    ) -> Cycle<Estimate> {
+        let drift_error = estimate(DRIFT, self.drift, compared.map(|cycle| cycle.map(|cycle| cycle.drift))).error;
         let mut place = 0;
         let mut one = |of: fn(&Self) -> f64| {
             place += 1;
-            estimate(place - 1, of(self), heard.map(|cycle| cycle.map(of)))
+            estimate(place - 1, of(self), compared.map(|cycle| cycle.map(of)))
         };
         Cycle {
             segment: self.segment,

@@ -8,7 +8,7 @@ use super::edge_law::EdgeLaw;
 use super::line::{Contact, Sweep};
 use super::motion::{Motion, Passage};
 use super::panel::value_at;
-use super::past::{Node, Past};
+use super::path_history::{Node, PathHistory};
 use super::problem::Adhesion;
 use super::profile::Profile;
 use super::springs::DEGREE;
@@ -124,8 +124,14 @@ impl Edge {
     }
 
     /// How the edge goes from here to a place in a time.
-    fn passage(&mut self, contact: &Contact<'_>, past: &Past, (radius, dt): (f64, f64), drive: Drive) -> (Passage, f64, u32) {
-        let Some(&now) = past.nodes().first() else { return (Passage::Radius, 0.0, 1) };
+    fn passage(
+        &mut self,
+        contact: &Contact<'_>,
+        path_history: &PathHistory,
+        (radius, dt): (f64, f64),
+        drive: Drive,
+    ) -> (Passage, f64, u32) {
+        let Some(&now) = path_history.nodes().first() else { return (Passage::Radius, 0.0, 1) };
         let way = contact.profile().coordinate(radius) - now.place;
         if dt == 0.0 || way == 0.0 {
             return (Passage::Radius, 0.0, 1);
@@ -134,12 +140,12 @@ impl Edge {
         let distance = (radius - contact.radius()).abs();
         match drive {
             Drive::Edge => {
-                let bridge = past.bridge(self.held, false, parts);
+                let bridge = path_history.bridge(self.held, false, parts);
                 self.held = Some(bridge.degree);
                 (Passage::TimeOfPlace(bridge.coefficients), bridge.error * distance, bridge.degree)
             }
             Drive::Time => {
-                let bridge = past.bridge(self.held, true, |node| {
+                let bridge = path_history.bridge(self.held, true, |node| {
                     let (place, time) = parts(node);
                     (time, place)
                 });
@@ -150,19 +156,19 @@ impl Edge {
     }
 
     /// The degree that a path to a place would have by itself, whatever the search under way holds to.
-    pub(super) fn free_degree(&mut self, contact: &Contact<'_>, past: &Past, (radius, dt): (f64, f64), drive: Drive) -> u32 {
+    pub(super) fn free_degree(&mut self, contact: &Contact<'_>, path_history: &PathHistory, (radius, dt): (f64, f64), drive: Drive) -> u32 {
         let held = self.held.take();
-        let (_, _, degree) = self.passage(contact, past, (radius, dt), drive);
+        let (_, _, degree) = self.passage(contact, path_history, (radius, dt), drive);
         self.held = held;
         degree
     }
 
     /// Last terms of t(y) and of y(t) of a path to a place: which of the two is the smoother.
-    pub(super) fn terms(&mut self, contact: &Contact<'_>, past: &Past, to: (f64, f64)) -> (f64, f64) {
+    pub(super) fn terms(&mut self, contact: &Contact<'_>, path_history: &PathHistory, to: (f64, f64)) -> (f64, f64) {
         let held = self.held.take();
         let mut term = |drive: Drive| {
             self.held = None;
-            self.passage(contact, past, to, drive).1
+            self.passage(contact, path_history, to, drive).1
         };
         let terms = (term(Drive::Edge), term(Drive::Time));
         self.held = held;
@@ -173,12 +179,12 @@ impl Edge {
     pub(super) fn trial(
         &mut self,
         contact: &Contact<'_>,
-        past: &Past,
+        path_history: &PathHistory,
         (radius, dt): (f64, f64),
         drive: Drive,
         imposed: &Imposed<'_>,
     ) -> Result<Trial, Refusal> {
-        let (passage, place_error, degree) = self.passage(contact, past, (radius, dt), drive);
+        let (passage, place_error, degree) = self.passage(contact, path_history, (radius, dt), drive);
         let here = contact.penetration();
         let motion_of = |powers: [f64; DEGREE]| Motion::new(contact.profile(), (contact.radius(), radius), dt, passage, here, powers);
         let (motion, depth_error) = match imposed {
@@ -186,9 +192,9 @@ impl Edge {
             Imposed::Load { value, stiffness } => {
                 // An edge at rest says nothing about how smoothly Δ goes.
                 let rests = radius.to_bits() == contact.radius().to_bits();
-                let depth_degree = if rests { past.nodes().len().clamp(1, DEGREE) as u32 } else { degree };
-                let depths = |rise: f64| match past.nodes().first() {
-                    Some(_) if dt > 0.0 => past.powers(rise, depth_degree, |node| (node.time / dt, node.penetration - here)),
+                let depth_degree = if rests { path_history.nodes().len().clamp(1, DEGREE) as u32 } else { degree };
+                let depths = |rise: f64| match path_history.nodes().first() {
+                    Some(_) if dt > 0.0 => path_history.powers(rise, depth_degree, |node| (node.time / dt, node.penetration - here)),
                     _ => ([rise, 0.0, 0.0, 0.0, 0.0], 0.0),
                 };
                 // F is affine in Δ; a unit of its own size keeps the digits of a contact that grows from a point.
@@ -314,7 +320,7 @@ fn course(dt: f64, here: f64, scale: f64, history: &dyn Fn(f64) -> f64) -> [f64;
     std::array::from_fn(|power| rises.iter().zip(&THROUGH_FIFTHS).map(|(rise, row)| rise * row[power]).sum())
 }
 
-/// A point of the march that is now.
+/// A point of the integration that is now.
 pub(super) fn node_of(profile: &Profile, contact: &Contact<'_>, force: f64) -> Node {
     Node { time: 0.0, place: profile.coordinate(contact.radius()), penetration: contact.penetration(), force, radius: contact.radius() }
 }

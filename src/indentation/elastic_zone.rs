@@ -58,11 +58,11 @@ fn state(profile: &Profile, modulus: f64, a: f64, penetration: f64, residual: f6
 }
 
 /// Radii that enclose the widest stable contact under an imposed value, such as a force, which is a function of the radius of contacts in equilibrium; or the least value
-/// that any contact bears.
+/// that any contact carries.
 ///
 /// Far out the value rises with the radius. Going inwards it falls to a fold, and rises again where contacts are unstable: the narrowest of them bear any pull's
-/// beginning, so that only a rising value is far out. Near a fold a stride may step over the stable contact and the unstable one: where the value has turned, its least one
-/// is looked for. `rim`: no contact is wider, and the widest one bears more than the value; infinite without.
+/// beginning, so that only a rising value is far out. Near a fold a stride may step over the stable contact and the unstable one: where the value has turned, its least
+/// one is looked for. `rim`: no contact is wider, and the widest one carries more than the value; infinite without.
 pub(super) fn widest_stable(
     process_zone: f64,
     rim: f64,

@@ -16,8 +16,8 @@ pub fn elliptic_k(m: f64) -> f64 {
 pub(super) fn elliptic_k_of<const COUNT: usize>(m: [f64; COUNT]) -> [f64; COUNT] {
     let (mut arithmetic, mut geometric) = ([1.0; COUNT], m.map(|m| (1.0 - m).sqrt()));
     for _ in 0..12 {
-        let apart = |(a, g): (&f64, &f64)| (a - g).abs() > 2e-16 * a;
-        if !arithmetic.iter().zip(&geometric).any(apart) {
+        let differ = |(a, g): (&f64, &f64)| (a - g).abs() > 2e-16 * a;
+        if !arithmetic.iter().zip(&geometric).any(differ) {
             break;
         }
         for (a, g) in arithmetic.iter_mut().zip(&mut geometric) {

@@ -1,8 +1,8 @@
-//! Where t(a) has a fold, the edge runs away: how far ahead one is, and whether an edge is beyond it.
+//! Where t(a) has a fold, the edge accelerates unstably: how far ahead one is, and whether an edge is beyond it.
 
 use super::edge::Imposed;
+use super::integrator::Integrator;
 use super::line::NARROWEST;
-use super::marcher::Marcher;
 use crate::refusal::Refusal;
 
 /// Where the edge is looked at where a fold has been reached, over the process zone: below it the residual is noise.
@@ -16,8 +16,8 @@ const PLACES: f64 = 100.0;
 const FLAT: f64 = 1e-10;
 /// Distance of a fold, over the process zone, that is near.
 const NEAR_FOLD: f64 = 2.0;
-/// Error of g near a fold: what the accepted residual and its last digits leave. With the part of the change below, 0.68 of what is said not to be known was needed among 245 folds
-/// of random spheres of wide spectra (marches at 1e-9 to 1e-8 beside each other).
+/// Error of g near a fold: what the accepted residual and its last digits leave. With the part of the change below, 0.68 of what is said not to be known was needed
+/// among 245 folds of random spheres of wide spectra (integrations at 1e-9 to 1e-8 beside each other).
 const NOISE_OF_EDGE: f64 = 5e-14;
 /// What is not known of a distance, over what the edge condition changed of it.
 const OF_THE_CHANGE: f64 = 0.1;
@@ -33,10 +33,10 @@ pub(super) struct Fold {
     pub(super) unknown: f64,
 }
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// The distance of the fold of t(a) that the last three points foresee: where the edge would run away.
     pub(super) fn fold_ahead(&self) -> Option<f64> {
-        let [now, one, two] = *self.past.nodes().get(..3)? else { return None };
+        let [now, one, two] = *self.path_history.nodes().get(..3)? else { return None };
         let (first, second) = (now.radius - one.radius, one.radius - two.radius);
         if first * second <= 0.0 {
             return None;
@@ -86,13 +86,13 @@ impl Marcher<'_> {
 
     /// The distance from a fold that is none: less tells nothing, or places have no more digits.
     pub(super) fn nearest_to_fold(&self) -> f64 {
-        let told = PLACES * NARROWEST * self.contact.radius();
-        (NEAREST * self.length).max(told.min(AT_FOLD * self.length))
+        let resolved = PLACES * NARROWEST * self.contact.radius();
+        (NEAREST * self.length).max(resolved.min(AT_FOLD * self.length))
     }
 
     /// g a way further on as the edge goes, moved there at once, positive where it would run on.
     fn drive_at(&mut self, imposed: &Imposed<'_>, way: f64) -> Result<Option<f64>, Refusal> {
-        let [now, before] = *self.past.nodes().get(..2).unwrap_or(&[]) else { return Ok(None) };
+        let [now, before] = *self.path_history.nodes().get(..2).unwrap_or(&[]) else { return Ok(None) };
         let way = way * (now.radius - before.radius).signum();
         if now.radius + way <= self.smallest() || now.radius + way >= self.contact.profile().rim() {
             return Ok(None);

@@ -1,10 +1,10 @@
-//! What is imposed in time: a quantity that goes from value to value, linearly, oscillating, or at once; each stretch names its quantity.
+//! What is imposed in time: a quantity that goes from value to value, linearly, oscillating, or at once; each segment names its quantity.
 
 use super::oscillation::Oscillation;
 use crate::refusal::{Refusal, require_finite, require_non_negative};
 use serde::{Deserialize, Serialize};
 
-/// What a stretch of a history controls.
+/// What a segment of a history controls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Controlled {
     /// Δ (m).
@@ -17,12 +17,12 @@ pub enum Controlled {
     Frame,
 }
 
-/// A stretch of a history.
+/// A segment of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
     /// How long (s); zero is a step.
     pub duration: f64,
-    /// The value at its end, reached linearly from the present one.
+    /// The value at its end (m or N), reached linearly from the present one.
     pub end: f64,
     /// Of what.
     pub controlled: Controlled,
@@ -31,7 +31,7 @@ pub struct Segment {
 }
 
 impl Segment {
-    /// The way from a value, at a time since its start.
+    /// The way from a value (m or N), at a time (s) since its start.
     #[must_use]
     pub fn value(&self, from: f64, time: f64) -> f64 {
         let part = time / self.duration;
@@ -40,19 +40,19 @@ impl Segment {
     }
 }
 
-/// A history of stretches, straight or with an oscillation.
+/// A history of segments, straight or with an oscillation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct History {
     /// The value at time zero.
     pub start: f64,
     /// Of what.
     pub controlled: Controlled,
-    /// The stretches in order.
+    /// The segments in order.
     pub segments: Vec<Segment>,
 }
 
 impl History {
-    /// From a start value of a quantity.
+    /// From a start value (m or N) of a quantity.
     #[must_use]
     pub const fn from(controlled: Controlled, start: f64) -> Self {
         Self { start, controlled, segments: Vec::new() }
@@ -118,14 +118,14 @@ impl History {
         self.ramp(end, duration)
     }
 
-    /// Followed by a hold of the same quantity.
+    /// Followed by a hold of the same quantity (s).
     #[must_use]
     pub fn hold(self, duration: f64) -> Self {
         let end = self.end();
         self.ramp(end, duration)
     }
 
-    /// Followed by a step of the same quantity.
+    /// Followed by a step of the same quantity (to m or N).
     #[must_use]
     pub fn step(self, end: f64) -> Self {
         self.ramp(end, 0.0)
@@ -143,7 +143,7 @@ impl History {
         self.segments.last().map_or(self.controlled, |segment| segment.controlled)
     }
 
-    /// Whether any stretch controls a quantity.
+    /// Whether any segment controls a quantity.
     #[must_use]
     pub fn controls(&self, controlled: Controlled) -> bool {
         self.controlled == controlled || self.segments.iter().any(|segment| segment.controlled == controlled)
@@ -151,7 +151,7 @@ impl History {
 
     /// Whether one quantity is controlled throughout, and never rises.
     #[must_use]
-    pub fn only_withdraws(&self) -> bool {
+    pub(crate) fn only_withdraws(&self) -> bool {
         let mut last = self.start;
         self.segments.iter().all(|segment| {
             let falls = segment.controlled == self.controlled && segment.oscillation.is_none() && segment.end <= last;

@@ -2,8 +2,8 @@
 
 use super::edge::Imposed;
 use super::folds::Fold;
+use super::integrator::Integrator;
 use super::line::Contact;
-use super::marcher::Marcher;
 use super::solution::EventKind;
 use crate::refusal::Refusal;
 
@@ -12,7 +12,7 @@ const SEARCH: f64 = 0.2;
 /// Iterations of a bracketed root.
 const MOST_ITERATIONS: u32 = 200;
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// At a fixed instant, the nearest stable edge the way the residual points.
     pub(super) fn settle(&mut self, imposed: &Imposed<'_>) -> Result<(), Refusal> {
         let a = self.contact.radius();
@@ -40,7 +40,7 @@ impl Marcher<'_> {
                 return Ok(());
             }
         }
-        match self.elsewhere(a, inwards, imposed)? {
+        match self.other_stable_edge(a, inwards, imposed)? {
             Some(place) => self.jump(place, imposed),
             None if inwards => self.detach(EventKind::Detachment, imposed),
             None => Err(no_edge(a)),
@@ -50,13 +50,13 @@ impl Marcher<'_> {
     /// No stable neighbour: another equilibrium, or none. `fold`: where ahead of the present edge it was lost.
     pub(super) fn lost(&mut self, inwards: bool, fold: Option<Fold>, imposed: &Imposed<'_>) -> Result<(), Refusal> {
         // Near a fold both sides look unstable: the edge goes on as it went.
-        let was_inwards = self.past.nodes().get(..2).map(|nodes| nodes[0].radius < nodes[1].radius);
+        let was_inwards = self.path_history.nodes().get(..2).map(|nodes| nodes[0].radius < nodes[1].radius);
         let inwards = match (fold, was_inwards) {
             (Some(_), Some(was)) => was,
             (None, Some(was)) if was != inwards && self.is_unstable(imposed, 0.0)? == Some(true) => was,
             _ => inwards,
         };
-        let found = self.elsewhere(self.contact.radius(), inwards, imposed)?;
+        let found = self.other_stable_edge(self.contact.radius(), inwards, imposed)?;
         let kind = match found {
             Some(_) if inwards => EventKind::PartialDetachment,
             Some(_) => EventKind::JumpOut,
@@ -65,14 +65,14 @@ impl Marcher<'_> {
         };
         match found {
             Some(place) => {
-                self.record.happened_at_fold(kind, self.past.nodes(), fold);
+                self.record.happened_at_fold(kind, self.path_history.nodes(), fold);
                 self.record.sudden();
                 self.jump(place, imposed)?;
                 self.restart();
                 Ok(())
             }
             None => {
-                self.record.happened_at_fold(kind, self.past.nodes(), fold);
+                self.record.happened_at_fold(kind, self.path_history.nodes(), fold);
                 self.opened(imposed)
             }
         }
@@ -82,7 +82,7 @@ impl Marcher<'_> {
     pub(super) fn touch_again(&mut self, imposed: &Imposed<'_>) -> Result<(), Refusal> {
         self.record.happened(EventKind::JumpIn);
         let profile = self.contact.profile();
-        let found = if profile.is_flat() { Some(profile.rim()) } else { self.elsewhere(self.smallest(), false, imposed)? };
+        let found = if profile.is_flat() { Some(profile.rim()) } else { self.other_stable_edge(self.smallest(), false, imposed)? };
         match found {
             Some(place) => {
                 self.record.sudden();
@@ -123,7 +123,7 @@ impl Marcher<'_> {
     }
 
     /// A stable edge somewhere else, at once: the next one inwards or outwards, or none.
-    fn elsewhere(&mut self, start: f64, inwards: bool, imposed: &Imposed<'_>) -> Result<Option<f64>, Refusal> {
+    fn other_stable_edge(&mut self, start: f64, inwards: bool, imposed: &Imposed<'_>) -> Result<Option<f64>, Refusal> {
         if !inwards {
             self.problem.edge_law.goes(inwards)?;
         }

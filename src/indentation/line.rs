@@ -1,15 +1,15 @@
 //! The state of a contact on the line, and its exact motion.
 //!
 //! A point carries the dashpots v_i of the Maxwell branches while it is bonded, and the Voigt strains e_j while it is free, on panels of Gauss nodes.
-//! Panels end where a state may have a kink or a jump: at the edge now and wherever it stopped before. When the edge sweeps a stretch, the
-//! stretch gets panels graded towards the new edge, down to the distance the edge travels in half of the shortest relaxation time: the
+//! Panels end where a state may have a kink or a jump: at the edge now and wherever it stopped before. When the edge sweeps an interval, the
+//! interval gets panels graded towards the new edge, down to the distance the edge travels in half of the shortest relaxation time: the
 //! layers there are as wide as that, however small against the step. Each node then knows the instant at which the edge passed it,
 //! and both its updates, before and after, are exact.
 
 use super::corners::PLACE_NOISE;
 use super::motion::{Motion, Passage, STRAIGHT};
+use super::node_update::NodeUpdate;
 use super::panel::{POINTS, Panel, RULE};
-use super::passing::Passing;
 use super::profile::Profile;
 use super::rim::Rim;
 use super::row::Row;
@@ -20,7 +20,7 @@ use crate::refusal::{Refusal, require_finite, require_non_negative};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
-/// Ratio of neighbouring panels of a graded stretch: e^{−x} over 0 ≤ x ≤ 1 is kept by eight nodes to 1e-9.
+/// Ratio of neighbouring panels of a graded interval: e^{−x} over 0 ≤ x ≤ 1 is kept by eight nodes to 1e-9.
 const GRADING: f64 = 2.0;
 /// Panels narrower than this part of the contact are not made: places are only known to 1e-16 of it, nodes then to 1e-5 of a panel.
 pub(super) const NARROWEST: f64 = 1e-11;
@@ -28,7 +28,7 @@ pub(super) const NARROWEST: f64 = 1e-11;
 /// Difference of the loads on either side of an edge that an unresolved layer explains, over what one node makes of the extrapolation to the edge.
 const UNRESOLVED: f64 = 10.0;
 
-/// How the edge passes a stretch within a move.
+/// How the edge passes an interval within a move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sweep {
     /// a linear in time.
@@ -182,15 +182,15 @@ impl<'a> Contact<'a> {
         };
         next.updates += (next.cells.len() * POINTS) as u64;
         let n = self.springs.terms();
-        let mut passing = Passing::new(self.springs, &next.profile, motion);
+        let mut node_update = NodeUpdate::new(self.springs, &next.profile, motion);
         for (cell, values) in next.cells.iter_mut().zip(next.values.chunks_exact_mut((POINTS * n).max(1))) {
             let bonded = cell.high <= motion.to || 0.5 * (cell.low + cell.high) < motion.to;
             let heights = if cell.bonded || bonded { cell.heights(&self.profile) } else { [0.0; POINTS] };
             for (g, (state, height)) in values.chunks_exact_mut(n.max(1)).zip(heights).enumerate() {
                 match (cell.bonded, bonded) {
-                    (true, true) => passing.bonded(state, height),
-                    (false, false) => passing.free(state),
-                    (before, _) => passing.passed(state, cell.node(g), height, before),
+                    (true, true) => node_update.bonded(state, height),
+                    (false, false) => node_update.free(state),
+                    (before, _) => node_update.passed(state, cell.node(g), height, before),
                 }
             }
         }
@@ -200,7 +200,7 @@ impl<'a> Contact<'a> {
         next
     }
 
-    /// The cells that touch a window, cut at both edges and graded in the stretch that an edge at `radius` will have swept after `time`.
+    /// The cells that touch a window, cut at both edges and graded in the interval that an edge at `radius` will have swept after `time`.
     /// `more`: further cuts.
     pub(super) fn cut(&self, (radius, time): (f64, f64), more: Vec<f64>, window: (f64, f64)) -> (Vec<Cell>, Vec<f64>) {
         let n = self.springs.terms();
@@ -237,7 +237,7 @@ impl<'a> Contact<'a> {
         (cells, values)
     }
 
-    /// Panel ends of a move: both edges, and a graded mesh in the swept stretch.
+    /// Panel ends of a move: both edges, and a graded mesh in the swept interval.
     fn cuts(&self, radius: f64, time: f64, more: Vec<f64>, narrow: f64) -> Vec<f64> {
         let mut cuts = more;
         let shortest = self.springs.shortest_time();
@@ -284,7 +284,7 @@ impl<'a> Contact<'a> {
 
     /// W on the panels outside the contact, on to `end` (m).
     #[must_use]
-    pub fn free_displacement(&self, end: f64) -> Vec<Panel> {
+    pub(crate) fn free_displacement(&self, end: f64) -> Vec<Panel> {
         let cells = self.cells.iter().enumerate().filter(|(_, cell)| !cell.bonded);
         let mut panels: Vec<Panel> =
             cells.map(|(index, cell)| Panel { lower: cell.low, upper: cell.high, values: self.strain_sums(index) }).collect();
@@ -297,7 +297,7 @@ impl<'a> Contact<'a> {
 
     /// D = W − (Δ − f) on the panels outside the contact, on to `end` (m); beyond a sharp rim the opening since the rim last released.
     #[must_use]
-    pub fn gap_factor(&self, end: f64) -> Vec<Panel> {
+    pub(crate) fn gap_factor(&self, end: f64) -> Vec<Panel> {
         let mut panels = self.free_displacement(end.min(self.profile.rim()));
         for panel in &mut panels {
             let heights = Cell { low: panel.lower, high: panel.upper, bonded: false }.heights(&self.profile);
@@ -322,29 +322,30 @@ impl<'a> Contact<'a> {
     /// the smooth side without is taken, and at an edge that advances in any case: its layer may be too thin to be seen at all. At an edge that rests they differ
     /// by what the solid has relaxed, and the side within is right.
     #[must_use]
-    pub fn edge_load(&self) -> f64 {
+    pub(crate) fn edge_load(&self) -> f64 {
         self.edge_load_known().0
     }
 
-    /// Q(a), and what the panel that it is taken from leaves unknown of it: what one node changes of the extrapolation to the edge, and what the rounding of places does (Pa m).
+    /// Q(a), and what the panel that it is taken from leaves unknown of it: what one node changes of the extrapolation to the edge, and what the rounding of places does
+    /// (Pa m).
     fn edge_load_known(&self) -> (f64, f64) {
         let first_free = self.cells.partition_point(|cell| cell.bonded);
         let Some(last_bonded) = first_free.checked_sub(1).filter(|_| self.radius > 0.0) else { return (0.0, 0.0) };
         let Some(cell) = self.cells.get(last_bonded) else { return (0.0, 0.0) };
         let within = Panel { lower: cell.low, upper: cell.high, values: self.loads(last_bonded, cell) };
-        let (mut strain, mut doubt) = (0.0, 0.0);
+        let (mut strain, mut uncertainty) = (0.0, 0.0);
         if let Some(cell) = self.cells.get(first_free) {
             let strains = Panel { lower: cell.low, upper: cell.high, values: self.strain_sums(first_free) };
-            (strain, doubt) = strains.at_end(self.radius);
-            doubt += strain.abs() * self.place_rounding(cell);
+            (strain, uncertainty) = strains.at_end(self.radius);
+            uncertainty += strain.abs() * self.place_rounding(cell);
         }
         let glassy = self.springs.glassy;
         let (load, mut own) = within.at_end(self.radius);
         own += load.abs() * self.place_rounding(cell);
         let without = glassy * (self.penetration - self.profile.line(self.radius) - strain);
         let advances = self.way > PLACE_NOISE * NARROWEST * self.radius;
-        let is_layer = glassy * doubt < own && (without - load).abs() <= UNRESOLVED * own;
-        if is_layer || (advances && (without - load).abs() > UNRESOLVED * own) { (without, glassy * doubt) } else { (load, own) }
+        let is_layer = glassy * uncertainty < own && (without - load).abs() <= UNRESOLVED * own;
+        if is_layer || (advances && (without - load).abs() > UNRESOLVED * own) { (without, glassy * uncertainty) } else { (load, own) }
     }
 
     /// Rounding of places over the width of a panel: of the layer behind a quick edge so much is not known.

@@ -20,27 +20,30 @@
 //! | D(s) | gap factor W − (Δ − f) outside the contact | m |
 //! | C | work of the interface stresses in the process zone δ, per area (Eq 4.9) | J/m² |
 //!
-//! Every modulus is E* = E/(1 − ν²): make the material with [`Material::stiffened`](crate::material::Material::stiffened). The surface follows as
+//! Every modulus is E* = E/(1 − ν²): a [`PlaneMaterial`](crate::material::PlaneMaterial). The surface follows as
 //! w(r) = (2/π)∫₀^r W/√(r² − s²) ds and p(r) = (1/π)[Q(a)/√(a² − r²) − ∫_r^a Q′/√(s² − r²) ds], for ANY history of the edge, re-advancing too:
 //! no matrix and no integral equation. Any coherent units.
 //!
 //! # How
 //! [`Contact`] carries the state on panels of Gauss nodes; an update is exact for any polynomial motion of edge and penetration, and any number
-//! of terms ([`Springs`]). [`zone_work`] is the closure. [`march`] goes step by step: the edge goes a given way and the time follows from the
+//! of terms ([`Springs`]). [`zone_work`] is the closure. [`integrate`] goes step by step: the edge goes a given way and the time follows from the
 //! closure, or a time goes by and the place of the edge follows, along the polynomial through the last points (up to the sixth order), with
-//! steps chosen by the error of the path. [`run`] tightens the march until the errors of what it reports meet the accuracy.
+//! steps chosen by the error of the path. [`run`] tightens the integration until the errors of what it reports meet the accuracy.
 //!
 //! Source: thesis chapter 4 (Eqs 4.1–4.33); Sneddon, Int. J. Engng Sci. 3 (1965) 47, [10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
 
 mod adhesiveless;
 mod advance;
+mod assessment;
 mod between;
 pub mod by_panels;
 mod checkpoint;
 mod coarsening;
 mod convergence;
 mod corners;
+mod current_segment;
 mod cycle;
+mod cycle_integrals;
 mod edge;
 mod edge_law;
 mod elastic_zone;
@@ -49,17 +52,15 @@ mod energies;
 mod fields;
 mod folds;
 mod history;
-mod judgement;
+mod integrator;
 mod jumps;
 mod line;
-mod marcher;
-mod meter;
 mod motion;
+mod node_update;
 mod open;
 mod oscillation;
 mod panel;
-mod passing;
-mod past;
+mod path_history;
 mod prescribed_edge;
 mod problem;
 mod profile;
@@ -76,7 +77,6 @@ mod springs;
 mod start;
 mod step_sizes;
 mod stepping;
-mod stretch;
 mod summary;
 mod window;
 mod zone;
@@ -89,8 +89,8 @@ pub use elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radiu
 pub use elliptic::elliptic_k;
 pub use fields::SurfaceFields;
 pub use history::{Controlled, History, Segment};
+pub use integrator::integrate;
 pub use line::{Contact, Sweep};
-pub use marcher::march;
 pub use oscillation::{FrequencySweep, Oscillation};
 pub use panel::{POINTS, Panel};
 pub use problem::{Adhesion, IndentationProblem, Start};

@@ -1,7 +1,7 @@
 //! One step: how the edge passes the line, and how the penetration goes.
 //!
 //! Within a step the part u of the time that has gone by, 0…1, and the part x of the way that the edge has gone are polynomials of one another:
-//! t(y) while the edge drives the step (it stays smooth where the edge runs away), y(t) while time does (smooth where the edge stands still).
+//! t(y) while the edge drives the step (it stays smooth where the edge accelerates unstably), y(t) while time does (smooth where the edge stands still).
 //! y is f(s) of the indenter, which makes a contact that grows from a point smooth, or s itself. Δ = Δ₀ + Σ w_k u^k.
 
 use super::profile::Profile;
@@ -16,7 +16,7 @@ const AT_REST: f64 = 0.5;
 /// Halvings of the time towards a rest.
 const MOST_HALVINGS: u32 = 16;
 
-/// How the edge passes a stretch within a step.
+/// How the edge passes an interval within a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Passage {
     /// a linear in time.
@@ -130,7 +130,7 @@ impl Motion {
         places
     }
 
-    /// W − W₀ as powers of the part of a first stretch of the time.
+    /// W − W₀ as powers of the part of a first interval of the time.
     pub(super) fn first_powers(&self, part: f64) -> [f64; DEGREE] {
         let mut scale = 1.0;
         self.powers.map(|power| {

@@ -1,13 +1,13 @@
 //! An indenter that is off the surface, and when it touches.
 
 use super::history::Controlled;
+use super::integrator::Integrator;
 use super::line::Sweep;
-use super::marcher::Marcher;
 use super::motion::{Motion, Passage};
 use super::springs::DEGREE;
 use crate::refusal::Refusal;
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// W on the axis of an open contact, which the indenter touches first.
     fn surface(&self) -> f64 {
         self.contact.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0))

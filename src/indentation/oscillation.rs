@@ -1,4 +1,4 @@
-//! An oscillation about what a stretch of a history goes through: a sinus of one frequency, or of one that goes up or down.
+//! An oscillation about what a segment of a history goes through: a sinus of one frequency, or of one that goes up or down.
 
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 use serde::{Deserialize, Serialize};
@@ -16,21 +16,21 @@ pub enum FrequencySweep {
     Logarithmic,
 }
 
-/// amplitude·sin 2πN(t), N the cycles since the start of the stretch.
+/// amplitude·sin 2πN(t), N the cycles since the start of the segment.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Oscillation {
     /// Of the controlled quantity, in its unit; ≥ 0.
     pub amplitude: f64,
-    /// Cycles per time (1/s) at the start of the stretch.
+    /// Cycles per time (1/s) at the start of the segment.
     pub frequency: f64,
-    /// The same at its end.
+    /// The same at its end (1/s).
     pub end_frequency: f64,
     /// How it goes from one to the other.
     pub sweep: FrequencySweep,
     /// Where in its cycle it begins (rad): 0 at the mean and going up, π/2 at the greatest value.
     #[serde(default)]
     pub phase: f64,
-    /// Whether the stretch ends with the first cycle that is stationary, to the accuracy of the problem.
+    /// Whether the segment ends with the first cycle that is stationary, to the accuracy of the problem.
     pub until_stationary: bool,
 }
 
@@ -59,7 +59,7 @@ impl Oscillation {
         Ok(())
     }
 
-    /// The frequency (1/s) at a time of a stretch.
+    /// The frequency (1/s) at a time of a segment.
     #[must_use]
     pub fn frequency_at(&self, time: f64, duration: f64) -> f64 {
         if duration <= 0.0 {
@@ -72,7 +72,7 @@ impl Oscillation {
         }
     }
 
-    /// N, cycles gone by at a time of a stretch.
+    /// N, cycles gone by at a time (s) of a segment.
     #[must_use]
     pub fn cycles_at(&self, time: f64, duration: f64) -> f64 {
         if duration <= 0.0 {
@@ -88,7 +88,7 @@ impl Oscillation {
         }
     }
 
-    /// The time of a stretch at which so many cycles have gone by; none if the stretch has not so many.
+    /// The time of a segment at which so many cycles have gone by; none if the segment has not so many.
     #[must_use]
     pub fn time_of(&self, cycles: f64, duration: f64) -> Option<f64> {
         let last = self.cycles_at(duration, duration);
@@ -111,20 +111,20 @@ impl Oscillation {
         Some(time.min(duration))
     }
 
-    /// Where in its cycle it is at a time of a stretch (rad), up to whole cycles: sin keeps its digits after a million of them.
+    /// Where in its cycle it is at a time of a segment (rad), up to whole cycles: sin keeps its digits after a million of them.
     #[must_use]
     pub fn angle(&self, time: f64, duration: f64) -> f64 {
         let cycles = self.cycles_at(time, duration);
         TAU * (cycles - cycles.round()) + self.phase
     }
 
-    /// How far it is at a time of a stretch from where it began, in the unit of the controlled quantity.
+    /// How far it is at a time of a segment from where it began, in the unit of the controlled quantity.
     #[must_use]
     pub fn deviation(&self, time: f64, duration: f64) -> f64 {
         self.amplitude * self.angle(time, duration).sin() - self.offset()
     }
 
-    /// How far above its mean it begins.
+    /// How far above its mean it begins, in the unit of the controlled quantity.
     #[must_use]
     pub fn offset(&self) -> f64 {
         self.amplitude * self.phase.sin()

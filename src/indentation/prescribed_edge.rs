@@ -2,11 +2,11 @@
 
 use super::advance::{MOST_ATTEMPTS, SLOWEST};
 use super::elastic_zone::tension_root;
-use super::marcher::Marcher;
+use super::integrator::Integrator;
 use super::motion::{Motion, Passage};
 use crate::refusal::Refusal;
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// A step of a prescribed edge.
     pub(super) fn prescribed_step(&mut self, value: &dyn Fn(f64) -> f64, cap: f64, left: f64, target: f64) -> Result<(), Refusal> {
         let mut cap = cap;
@@ -43,9 +43,9 @@ impl Marcher<'_> {
 
     fn prescribed_motion(&mut self, radius: f64, dt: f64, degree: u32) -> Result<(Motion, f64, f64), Refusal> {
         let here = self.contact.penetration();
-        let now = self.past.nodes().first().copied();
+        let now = self.path_history.nodes().first().copied();
         let powers = |rise: f64| match now {
-            Some(_) if dt > 0.0 => self.past.powers(rise, degree, |node| (node.time / dt, node.penetration - here)),
+            Some(_) if dt > 0.0 => self.path_history.powers(rise, degree, |node| (node.time / dt, node.penetration - here)),
             _ => ([rise, 0.0, 0.0, 0.0, 0.0], 0.0),
         };
         let motion = |rise: f64| {

@@ -100,7 +100,7 @@ impl IndentationProblem {
         if radius_rests && self.adhesion.is_some() && self.history.controls(Controlled::ContactRadius) {
             return Err(Refusal::Undefined {
                 quantity: "the penetration of a given contact radius",
-                reason: "an edge at rest bears any of a range of works of adhesion, or the process zone follows the load".into(),
+                reason: "an edge at rest carries any of a range of works of adhesion, or the process zone follows the load".into(),
             });
         }
         let rim = self.profile.rim();

@@ -1,13 +1,13 @@
-//! The record of a march: points of its path, kept instants, events, the account of energies.
+//! The record of an integration: points of its path, kept instants, events, the account of energies.
 
 use super::checkpoint::ContactState;
 use super::cycle::Cycle;
+use super::cycle_integrals::CycleIntegrals;
 use super::folds::Fold;
 use super::line::Contact;
-use super::meter::Meter;
 use super::motion::Motion;
 use super::panel::RULE;
-use super::past::Node;
+use super::path_history::Node;
 use super::solution::{Energies, Event, EventKind, PathPoint, Trace};
 use crate::refusal::Refusal;
 use serde::{Deserialize, Serialize};
@@ -30,7 +30,7 @@ pub(super) struct Record<'a> {
     sudden: bool,
     /// The contact at the last point, for what a sudden change sets free.
     last: Option<Contact<'a>>,
-    /// Every so many cycles are kept, and the newest until its stretch ends.
+    /// Every so many cycles are kept, and the newest until its segment ends.
     cycle_stride: u64,
     newest_cycle: Option<Cycle<f64>>,
 }
@@ -208,15 +208,15 @@ impl<'a> Record<'a> {
     }
 
     /// A whole cycle has gone by: whether cycles are stationary. Of many cycles only every so many are kept.
-    pub(super) fn cycle(&mut self, meter: &mut Meter, end: f64, tolerance: f64) -> Option<bool> {
-        let (cycle, stationary) = meter.finished(end, tolerance);
+    pub(super) fn cycle(&mut self, cycle_integrals: &mut CycleIntegrals, end: f64, tolerance: f64) -> Option<bool> {
+        let (cycle, stationary) = cycle_integrals.finished(end, tolerance);
         self.add_cycle(cycle, stationary);
         Some(stationary)
     }
 
     /// The last cycle once more.
-    pub(super) fn cycle_again(&mut self, meter: &mut Meter) {
-        if let Some(cycle) = meter.again() {
+    pub(super) fn cycle_again(&mut self, cycle_integrals: &mut CycleIntegrals) {
+        if let Some(cycle) = cycle_integrals.again() {
             self.add_cycle(cycle, false);
         }
     }
@@ -233,14 +233,14 @@ impl<'a> Record<'a> {
         }
     }
 
-    /// How long a stretch takes that is known to end early (s).
+    /// How long a segment takes that is known to end early (s).
     pub(super) fn end_of(&self, segment: usize) -> Option<f64> {
         self.trace.shortened.iter().find(|stop| stop.0 == segment).map(|stop| stop.1)
     }
 
-    /// A stretch has ended: the last cycle of one that oscillates is kept, and by how much its cycles differ.
-    pub(super) fn last_cycle(&mut self, meter: Option<Meter>) {
-        self.trace.spreads.extend(meter.and_then(|meter| meter.spread()));
+    /// A segment has ended: the last cycle of one that oscillates is kept, and by how much its cycles differ.
+    pub(super) fn last_cycle(&mut self, cycle_integrals: Option<CycleIntegrals>) {
+        self.trace.spreads.extend(cycle_integrals.and_then(|cycle_integrals| cycle_integrals.spread()));
         if let Some(newest) = self.newest_cycle.take() {
             let there = self.trace.cycles.last().is_some_and(|cycle| (cycle.segment, cycle.number) == (newest.segment, newest.number));
             if !there {
@@ -315,7 +315,7 @@ impl<'a> Record<'a> {
             _ => sum(newest_first.map(|(_, point)| point.number(number).unwrap_or(own))),
         };
         let mut at_fold = event.with(continued, |_, own| Some(own));
-        // The edge runs away: no time is left to dissipate anything. G_tip goes with K².
+        // The edge accelerates unstably: no time is left to dissipate anything. G_tip goes with K².
         let growth = at_fold.stress_intensity_factor / event.stress_intensity_factor;
         at_fold.tip_release_rate = event.tip_release_rate.map(|rate| if rate > 0.0 { rate * growth * growth } else { rate });
         at_fold.energy_release_rate = at_fold.tip_release_rate;

@@ -138,7 +138,7 @@ mod tests {
     use super::super::motion::Passage;
     use super::super::profile::Profile;
     use super::*;
-    use crate::material::Material;
+    use crate::material::PlaneMaterial;
 
     const TAU: f64 = 2.0;
     const GLASSY: f64 = 30.0;
@@ -152,7 +152,7 @@ mod tests {
     /// A relaxed chain pulled up at once, held, pushed back: e decays from J E0 Δ₀ with τ while open, and the opening is back at zero before K is.
     #[test]
     fn the_opening_counts_from_the_last_release() {
-        let springs = Springs::new(&Material::standard_solid(RELAXED, GLASSY, TAU).unwrap()).unwrap();
+        let springs = Springs::new(&PlaneMaterial::standard_solid(RELAXED, GLASSY, TAU).unwrap()).unwrap();
         let depth = 0.4;
         let rim = Rim::new(&springs, 0.0, depth, true);
         assert!(rim.opening(depth) == 0.0);

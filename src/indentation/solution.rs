@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 /// What eight nodes a panel leave unknown of K, over K.
 const PANELS: f64 = 3e-9;
 
-/// A step of the march, as computed.
+/// A step of the integration, as computed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PathPoint {
     /// t (s).
@@ -27,14 +27,14 @@ pub struct PathPoint {
     pub unresolved_intensity: f64,
     /// Defect of the edge condition: C/Δγ − 1, or Q(a) over its scale without adhesion.
     pub residual: f64,
-    /// Stretch of the path between corners that the point belongs to; its first point ends the stretch before.
+    /// Piece of the path between corners that the point belongs to; its first point ends the piece before.
     pub piece: u32,
     /// Energies, where asked for.
     pub energies: Option<Energies>,
 }
 
 impl PathPoint {
-    /// What no march tells of K_I (Pa√m): eight nodes keep an exponential on a graded panel to 1e-9, and K is their value at an end.
+    /// What no integration tells of K_I (Pa√m): eight nodes keep an exponential on a graded panel to 1e-9, and K is their value at an end.
     #[must_use]
     pub fn intensity_floor(&self) -> f64 {
         self.unresolved_intensity + PANELS * self.stress_intensity_factor.abs()
@@ -80,7 +80,7 @@ pub enum EventKind {
     PartialDetachment,
     /// No equilibrium was left: the contact opened.
     Detachment,
-    /// The contact shrank to 1.05 process zones; at one the closure has no meaning. The march treats it as open from here.
+    /// The contact shrank to 1.05 process zones; at one the closure has no meaning. The integration treats it as open from here.
     ZoneReached,
     /// Nothing happened: the force pulls most.
     LargestTension,
@@ -105,7 +105,7 @@ pub struct Event<T> {
     pub energies: Option<[T; 4]>,
     /// G_tip = K_I²/(2E∞*) (J/m²), with the energies.
     pub tip_release_rate: Option<T>,
-    /// G = G_tip − P_d/(dA/dt) (J/m²), with the energies: G_tip where the edge runs away; none where it stands.
+    /// G = G_tip − P_d/(dA/dt) (J/m²), with the energies: G_tip where the edge accelerates unstably; none where it stands.
     pub energy_release_rate: Option<T>,
 }
 
@@ -172,7 +172,7 @@ pub struct IndentationWork {
     pub most_panels: u64,
 }
 
-/// One march.
+/// One integration.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Trace {
     /// What its steps were held to.
@@ -183,15 +183,15 @@ pub struct Trace {
     pub kept: Vec<usize>,
     /// Events in order.
     pub events: Vec<Event<f64>>,
-    /// What no other march tells of the numbers of each event (s, m, N, m, Pa√m, J, W, J, J): at a fold, beyond the last step, and of K_I.
+    /// What no other integration tells of the numbers of each event (s, m, N, m, Pa√m, J, W, J, J): at a fold, beyond the last step, and of K_I.
     pub unknown_of_events: Vec<[f64; NUMBERS]>,
-    /// Whole cycles of stretches that oscillate, in order.
+    /// Whole cycles of segments that oscillate, in order.
     pub cycles: Vec<Cycle<f64>>,
-    /// By how much the cycles of each stretch that oscillates differ, the first tenth left out.
+    /// By how much the cycles of each segment that oscillates differ, the first tenth left out.
     pub spreads: Vec<Spread>,
-    /// Stretches that ended early, stationary: which, and how long they took (s).
+    /// Segments that ended early, stationary: which, and how long they took (s).
     pub shortened: Vec<(usize, f64)>,
-    /// What is told of every point, of those as well that a long path no longer holds.
+    /// What is reported of every point, of those as well that a long path no longer holds.
     pub summary: Summary,
     /// Counters.
     pub work: IndentationWork,
@@ -268,7 +268,7 @@ pub struct Instant {
     pub tip_release_rate: Option<Estimate>,
     /// G = dU/dA − F dΔ/dA = G_tip − P_d/(dA/dt) (J/m²), with the energies; none where the edge stands, or turns so near that nothing of it is known.
     pub energy_release_rate: Option<Estimate>,
-    /// Defect of the edge condition.
+    /// Defect of the edge condition, C/Δγ − 1.
     pub residual: f64,
 }
 
@@ -280,14 +280,14 @@ impl IndentationSolution {
     }
 }
 
-/// A history of contact with errors: a march, judged by two behind it that are ten and a hundred times tighter.
+/// A history of contact with errors: an integration, assessed by two behind it that are ten and a hundred times tighter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationSolution {
     /// The kept instants.
     pub instants: Vec<Instant>,
-    /// Events of the march; errors by the same events of those behind it, infinite if one of these has none.
+    /// Events of the integration; errors by the same events of those behind it, infinite if one of these has none.
     pub events: Vec<Event<Estimate>>,
-    /// Whole cycles of stretches that oscillate.
+    /// Whole cycles of segments that oscillate.
     pub cycles: Vec<Cycle<Estimate>>,
     /// Where the force pulls most; none if nothing pulled.
     pub largest_tension: Option<Event<Estimate>>,
@@ -299,14 +299,14 @@ pub struct IndentationSolution {
     pub smallest_gap_factor: f64,
     /// Whether every error met the accuracy.
     pub reached: bool,
-    /// Largest defect of the edge condition.
+    /// Largest defect of the edge condition, C/Δγ − 1.
     pub residual: f64,
-    /// The march itself, or the path by panels.
-    pub march: Trace,
-    /// Bounds on Δ, F, a and K at every point of its path, by the other marches; infinite where one of these does not show them, none of a periodic state.
+    /// The integration itself, or the path by panels.
+    pub integration: Trace,
+    /// Bounds on Δ, F, a and K at every point of its path, by the other integrations; infinite where one of these does not show them, none of a periodic state.
     pub path_errors: Vec<[f64; 4]>,
     /// Whether it is a path by panels.
     pub by_panels: bool,
-    /// Counters of all marches together.
+    /// Counters of all integrations together.
     pub work: IndentationWork,
 }

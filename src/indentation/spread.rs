@@ -1,17 +1,17 @@
-//! By how much the cycles of a long stretch differ once its first tenth is over.
+//! By how much the cycles of a long segment differ once its first tenth is over.
 
 use super::cycle::Cycle;
 use serde::{Deserialize, Serialize};
 
-/// Part of the cycles of a stretch that is left to settle.
+/// Part of the cycles of a segment that is left to settle.
 const SETTLING: f64 = 0.1;
 /// Work, two stiffnesses, and both extremes of Δ, F and a.
 const QUANTITIES: usize = 9;
 
-/// Differences among the cycles of a stretch of one frequency, its first tenth left out. Every cycle counts, kept or not.
+/// Differences among the cycles of a segment of one frequency, its first tenth left out. Every cycle counts, kept or not.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Spread {
-    /// Which stretch of the history, from 0.
+    /// Which segment of the history, from 0.
     pub segment: usize,
     /// First and last cycle that count, from 1.
     pub cycles: [u64; 2],
@@ -29,7 +29,7 @@ impl Spread {
         Self { segment: cycle.segment, cycles, least: values, most: values, scales: scales_of(cycle) }
     }
 
-    /// Takes a cycle in: `whole` cycles make up the stretch.
+    /// Takes a cycle in: `whole` cycles make up the segment.
     pub(super) fn add(spread: &mut Option<Self>, cycle: &Cycle<f64>, whole: f64) {
         if cycle.number as f64 <= SETTLING * whole {
             return;
@@ -45,7 +45,7 @@ impl Spread {
         }
     }
 
-    /// The largest difference between two cycles: of work, stiffnesses, and extremes of Δ (over its swing), F and a (over their largest values).
+    /// The largest relative difference between two cycles: of work, stiffnesses, and extremes of Δ (over its swing), F and a (over their largest values).
     #[must_use]
     pub fn largest(&self) -> f64 {
         let differences = self.least.iter().zip(&self.most).map(|(least, most)| most - least);

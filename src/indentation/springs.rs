@@ -9,7 +9,7 @@
 //! while it is free, so that each update costs n, and only a point that the edge passes is mapped (n²). The maps are partial fractions of the
 //! two transfer functions; the times interlace, so no denominator vanishes. Both states are continuous when the edge passes; only Q and W jump.
 
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::special::exponential_mean::exponential_mean_complement_with;
 
@@ -19,9 +19,9 @@ pub(super) const DEGREE: usize = 5;
 /// The chain of springs and dashpots of a material, in moduli E*.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Springs {
-    /// E∞*.
+    /// E∞* (Pa).
     pub glassy: f64,
-    /// E0*.
+    /// E0* (Pa).
     pub relaxed: f64,
     /// J_j and τ_j.
     pub creep: Vec<(f64, f64)>,
@@ -46,7 +46,7 @@ impl Springs {
     ///
     /// # Errors
     /// [`Refusal::Undefined`] for a viscous material (relaxed modulus 0).
-    pub fn new(material: &Material) -> Result<Self, Refusal> {
+    pub fn new(material: &PlaneMaterial) -> Result<Self, Refusal> {
         let relaxed = material.solid_modulus("the relaxed contact")?;
         let creep: Vec<_> = material.creep_terms().iter().map(|term| (term.compliance, term.retardation_time)).collect();
         let relaxation: Vec<_> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();
@@ -70,11 +70,11 @@ impl Springs {
 
     /// The shortest relaxation time, infinite for an elastic material.
     #[must_use]
-    pub fn shortest_time(&self) -> f64 {
+    pub(crate) fn shortest_time(&self) -> f64 {
         self.relaxation.iter().fold(f64::INFINITY, |least, &(_, rho)| least.min(rho))
     }
 
-    /// The longest retardation time, 0 for an elastic material.
+    /// The longest retardation time (s), 0 for an elastic material.
     #[must_use]
     pub fn longest_retardation_time(&self) -> f64 {
         self.creep.iter().fold(0.0, |most, &(_, tau)| most.max(tau))

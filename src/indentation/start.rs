@@ -84,7 +84,7 @@ fn at_rim(problem: &IndentationProblem, adhesion: Adhesion, modulus: f64) -> Res
     if depth < least && profile.is_flat() {
         return Err(Refusal::NoSuchState {
             reason: format!("the punch is pulled by {depth:e} and loses contact"),
-            limit_name: "the penetration at which its rim gives way",
+            limit_name: "the penetration at which its rim detaches",
             limit: least,
         });
     }

@@ -1,9 +1,9 @@
-//! How large steps are, and how exactly they are found: bounds that go with the tolerance by the order of the path, so that two marches never take the same steps.
+//! How large steps are, and how exactly they are found: bounds that go with the tolerance by the order of the path, so that two integrations never take the same steps.
 
-use super::marcher::{CLOCK, HALF, LOOSEST, Marcher, NEARLY};
+use super::integrator::{CLOCK, HALF, Integrator, LOOSEST, NEARLY};
 use super::stepping::SMALLEST;
 
-/// Most steps of one stretch of a history, or of one of its cycles, at a tolerance of 1e-4 or more; below it they grow with the steps of a march.
+/// Most steps of one segment of a history, or of one of its cycles, at a tolerance of 1e-4 or more; below it they grow with the steps of an integration.
 const MOST_STEPS: f64 = 6_000.0;
 /// See [`MOST_STEPS`].
 const TIGHT: f64 = 1e-4;
@@ -18,7 +18,7 @@ const LARGEST_EDGE_TOLERANCE: f64 = 2e-11;
 /// Shortest step, over the time since the last corner.
 const SHORTEST: f64 = 1e-12;
 /// Growth of a step over the one before at the tolerance below: polynomials through points whose distances double tell little of their own errors. It goes with the
-/// tolerance by the order of the path: marches that grow alike err alike, however tight they are.
+/// tolerance by the order of the path: integrations that grow alike err alike, however tight they are.
 const GROWTH: f64 = 0.5;
 const AT_GROWTH: f64 = 1e-2;
 /// The least: below it the error of a step rules alone.
@@ -38,13 +38,13 @@ pub(super) fn towards(left: f64, cap: f64, least: f64) -> f64 {
     if half > least { cap.min(half) } else { left }
 }
 
-impl Marcher<'_> {
-    /// Steps of a stretch, or of a cycle, after which a march stands still.
+impl Integrator<'_> {
+    /// Steps of a segment, or of a cycle, after which an integration stands still.
     pub(super) fn most_steps(&self) -> u64 {
         (MOST_STEPS * (TIGHT / self.tolerance).powf(1.0 / 6.0).max(1.0)) as u64
     }
 
-    /// Largest step of the edge. Bounds go with the tolerance as well, by the order of the path: two marches never take the same steps.
+    /// Largest step of the edge. Bounds go with the tolerance as well, by the order of the path: two integrations never take the same steps.
     pub(super) fn largest_reach(&self) -> f64 {
         LARGEST_REACH * self.stride() * self.measured_by()
     }

@@ -5,7 +5,7 @@
 
 use super::edge::{Drive, Edge, Imposed, Trial};
 use super::line::Contact;
-use super::past::Past;
+use super::path_history::PathHistory;
 use crate::refusal::Refusal;
 
 /// Trials of one root; with a good guess four suffice, and each doubling of an unknown time is one.
@@ -58,7 +58,7 @@ pub(super) enum Way {
 pub(super) struct Stepper<'m, 'a> {
     pub(super) edge: &'m mut Edge,
     pub(super) contact: &'m Contact<'a>,
-    pub(super) past: &'m Past,
+    pub(super) path_history: &'m PathHistory,
     /// Accepted |g|.
     pub(super) tolerance: f64,
     /// dg/d ln t and dg/da·reach of the last steps: first guesses of a secant.
@@ -150,7 +150,7 @@ impl Stepper<'_, '_> {
         let mut time = guess.min(cap);
         let (mut reopened, mut degree, mut raised) = (0, 0, false);
         for count in 0..MOST_TRIALS {
-            let trial = self.edge.trial(self.contact, self.past, (target, time), Drive::Edge, imposed)?;
+            let trial = self.edge.trial(self.contact, self.path_history, (target, time), Drive::Edge, imposed)?;
             let value = sign * trial.residual;
             if count > 0 && trial.degree < degree {
                 search = Search::new();
@@ -182,7 +182,7 @@ impl Stepper<'_, '_> {
             }
             if value.abs() <= accepted || search.width() <= 64.0 * f64::EPSILON * time {
                 // What is found must not have been there from the start.
-                let at_once = sign * self.edge.trial(self.contact, self.past, (target, 0.0), Drive::Edge, imposed)?.residual;
+                let at_once = sign * self.edge.trial(self.contact, self.path_history, (target, 0.0), Drive::Edge, imposed)?.residual;
                 return Ok(if at_once >= 0.0 { EdgeStep::Unstable } else { EdgeStep::Found(Trial { drive: -at_once, ..trial }) });
             }
             if value < 0.0 && time >= cap {
@@ -207,7 +207,7 @@ impl Stepper<'_, '_> {
                 }
                 _ => {
                     // The first sign change is earlier: at once, or on the way.
-                    let at_once = sign * self.edge.trial(self.contact, self.past, (target, 0.0), Drive::Edge, imposed)?.residual;
+                    let at_once = sign * self.edge.trial(self.contact, self.path_history, (target, 0.0), Drive::Edge, imposed)?.residual;
                     if at_once >= 0.0 {
                         return Ok(EdgeStep::Unstable);
                     }
@@ -221,7 +221,7 @@ impl Stepper<'_, '_> {
 
     /// Whether the path to what was found can be of a higher degree than the one that a first guess far from it could carry; the search then begins anew from here.
     fn is_cramped(&mut self, (place, time): (f64, f64), degree: u32, drive: Drive) -> bool {
-        let cramped = self.edge.free_degree(self.contact, self.past, (place, time), drive) > degree;
+        let cramped = self.edge.free_degree(self.contact, self.path_history, (place, time), drive) > degree;
         if cramped {
             self.edge.held = None;
         }
@@ -238,7 +238,7 @@ impl Stepper<'_, '_> {
         let inner = (here - reach).max(SMALLEST * zone).min(here);
         let outer = (here + reach).min(rim);
         let (mut search, mut pace) = (Search::new(), Pace::default());
-        // Without a past, a little to either side of the edge tells which way it goes.
+        // Without a path history, a little to either side of the edge tells which way it goes.
         let mut stride = 1e-3 * reach;
         let (mut degree, mut raised) = (0, false);
         let mut place = guess.clamp(inner, outer);
@@ -248,7 +248,7 @@ impl Stepper<'_, '_> {
             place = place.max(stride);
         }
         if way != Way::Any {
-            let mut trial = self.edge.trial(self.contact, self.past, (here, dt), Drive::Time, imposed)?;
+            let mut trial = self.edge.trial(self.contact, self.path_history, (here, dt), Drive::Time, imposed)?;
             let value = trial.residual;
             if way == Way::None || value.abs() <= self.tolerance || (value > 0.0) != (way == Way::Inwards) {
                 trial.residual = 0.0;
@@ -265,7 +265,7 @@ impl Stepper<'_, '_> {
         }
         let begun = search;
         for count in 0..MOST_TRIALS {
-            let mut trial = self.edge.trial(self.contact, self.past, (place, dt), Drive::Time, imposed)?;
+            let mut trial = self.edge.trial(self.contact, self.path_history, (place, dt), Drive::Time, imposed)?;
             let value = trial.residual;
             if count > 0 && trial.degree < degree {
                 // A polynomial that ceased to rise: what was found of a higher degree is of another function.
@@ -305,7 +305,7 @@ impl Stepper<'_, '_> {
                 && let Some((best, _)) = search.best().filter(|best| best.1.abs() < value.abs())
             {
                 // Places have no more digits, and the speed of a short way has few: the better end.
-                return Ok(TimeStep::Found(self.edge.trial(self.contact, self.past, (best, dt), Drive::Time, imposed)?));
+                return Ok(TimeStep::Found(self.edge.trial(self.contact, self.path_history, (best, dt), Drive::Time, imposed)?));
             }
             if value.abs() <= accepted || closed {
                 return Ok(TimeStep::Found(trial));
@@ -327,9 +327,9 @@ impl Stepper<'_, '_> {
                 let least = if outwards { place + stride } else { place - stride };
                 stride *= STRIDE;
                 let next = ahead.map_or(least, |point| {
-                    let past_it = place + pace.overshoot(value) * (point - place);
+                    let beyond = place + pace.overshoot(value) * (point - place);
                     // Never further than the stride allows: a flat slope points anywhere.
-                    if outwards { past_it.min(place + 10.0 * stride) } else { past_it.max(place - 10.0 * stride) }
+                    if outwards { beyond.min(place + 10.0 * stride) } else { beyond.max(place - 10.0 * stride) }
                 });
                 next.clamp(inner, outer)
             };

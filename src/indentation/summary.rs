@@ -1,4 +1,4 @@
-//! What is told of every point of a march, whether or not the path still holds it.
+//! What is reported of every point of an integration, whether or not the path still holds it.
 
 use super::solution::{Event, EventKind, PathPoint};
 use serde::{Deserialize, Serialize};
@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 const BESIDE: usize = 4;
 const POINTS: usize = 5;
 
-/// Largest magnitudes, defects and the largest tension of a march.
+/// Largest magnitudes, defects and the largest tension of an integration.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Largest |Δ|, |F|, a and |K_I|.
     pub scales: [f64; 4],
-    /// Largest defect of the edge condition.
+    /// Largest defect of the edge condition, C/Δγ − 1.
     pub residual: f64,
     defect: f64,
     turned: f64,
@@ -59,10 +59,10 @@ impl Summary {
     #[must_use]
     pub fn peak(&self) -> Option<Event<f64>> {
         let top = self.peak.get(self.top)?;
-        // A top at a corner ends one stretch of the path and begins the next: the peak may lie on either side of it.
+        // A top at a corner ends one piece of the path and begins the next: the peak may lie on either side of it.
         let next = self.peak.get(self.top + 1).map(|point| point.piece).filter(|piece| *piece != top.piece);
         let peak = [Some(top.piece), next].into_iter().flatten().fold(Event::at(EventKind::LargestTension, top), |peak, piece| {
-            let points: Vec<&PathPoint> = self.stretch(piece).collect();
+            let points: Vec<&PathPoint> = self.points_of(piece).collect();
             let place = points.iter().position(|point| std::ptr::eq(*point, top));
             place.and_then(|place| refined(&points, place)).filter(|refined| refined.force < peak.force).unwrap_or(peak)
         });
@@ -75,8 +75,8 @@ impl Summary {
         self.peak.get(self.top).map_or(0.0, PathPoint::intensity_floor)
     }
 
-    /// The points of one stretch of the path that are held, with the corner that it begins at.
-    fn stretch(&self, piece: u32) -> impl Iterator<Item = &PathPoint> {
+    /// The points of one piece of the path that are held, with the corner that it begins at.
+    fn points_of(&self, piece: u32) -> impl Iterator<Item = &PathPoint> {
         let first = self.peak.iter().position(|point| point.piece == piece).unwrap_or(0);
         let own = move |point: &&PathPoint| point.piece == piece && point.contact_radius > 0.0;
         let corner = self.peak.get(first.saturating_sub(1)..first).unwrap_or(&[]).iter().filter(|point| point.contact_radius > 0.0);
@@ -86,7 +86,7 @@ impl Summary {
 
 /// The state of the largest tension between the points next to the one at a place; none where there are too few, or where the polynomial shoots over.
 ///
-/// Over time, or over the radius, which goes on smoothly where the edge runs away: over that which needs its last point less.
+/// Over time, or over the radius, which goes on smoothly where the edge accelerates unstably: over that which needs its last point less.
 fn refined(points: &[&PathPoint], place: usize) -> Option<Event<f64>> {
     let first = place.saturating_sub(POINTS / 2).min(points.len().saturating_sub(POINTS));
     let near = points.get(first..points.len().min(first + POINTS)).filter(|near| near.len() > 2)?;
@@ -100,7 +100,7 @@ fn refined(points: &[&PathPoint], place: usize) -> Option<Event<f64>> {
     let ways = [over(|point| point.time), over(|point| point.contact_radius)];
     let (refined, _, weights) = ways.into_iter().flatten().min_by(|one, other| one.1.total_cmp(&other.1))?;
     let top = points.get(place)?;
-    // A polynomial through points of one smooth stretch rises above them by no more than they differ by.
+    // A polynomial through points of one smooth piece rises above them by no more than they differ by.
     let (least, most) = near.iter().fold((top.force, top.force), |(least, most), one| (least.min(one.force), most.max(one.force)));
     let states: Vec<Event<f64>> = near.iter().map(|point| Event::at(EventKind::LargestTension, point)).collect();
     let sum = |of: &dyn Fn(&Event<f64>) -> Option<f64>| -> Option<f64> {
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_tension_of_an_edge_that_runs_away_in_steps_shorter_than_the_clock_tells() {
+    fn the_largest_tension_of_an_edge_that_accelerates_in_steps_shorter_than_the_clock_resolves() {
         assert!(is_the_peak(pull([1.0, 2.0, 2.5, 2.5, 2.5, 2.5])));
     }
 

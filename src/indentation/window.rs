@@ -2,8 +2,8 @@
 
 use super::line::{Cell, Contact, beyond_rim};
 use super::motion::Motion;
+use super::node_update::NodeUpdate;
 use super::panel::{POINTS, Panel, RULE};
-use super::passing::Passing;
 use super::rim::Rim;
 
 /// Cells about an edge, as they are before a step.
@@ -11,7 +11,7 @@ use super::rim::Rim;
 pub(super) struct Window {
     /// The trial edge.
     pub(super) radius: f64,
-    /// The time for which the swept stretch is graded.
+    /// The time for which the swept interval is graded.
     pub(super) time: f64,
     /// How far about the edge the fields are held.
     pub(super) reach: f64,
@@ -55,7 +55,7 @@ impl Window {
         let end = motion.to + self.reach;
         let n = contact.springs.terms();
         let penetration = motion.end_penetration();
-        let mut passing = Passing::new(contact.springs, &contact.profile, motion);
+        let mut node_update = NodeUpdate::new(contact.springs, &contact.profile, motion);
         self.loads.clear();
         self.gaps.clear();
         for (index, cell) in self.cells.iter().enumerate() {
@@ -65,11 +65,11 @@ impl Window {
                 let height = self.heights[place];
                 let before = &self.values[place * n..(place + 1) * n];
                 match (cell.bonded, bonded) {
-                    (true, true) => passing.bonded_load(before, height),
-                    (false, false) => passing.free_displacement(before) + height - penetration,
+                    (true, true) => node_update.bonded_load(before, height),
+                    (false, false) => node_update.free_displacement(before) + height - penetration,
                     (was_bonded, _) => {
                         self.state.copy_from_slice(before);
-                        passing.passed(&mut self.state, cell.node(g), height, was_bonded);
+                        node_update.passed(&mut self.state, cell.node(g), height, was_bonded);
                         if bonded {
                             contact.springs.load(penetration - height, self.state.iter().copied())
                         } else {
@@ -93,10 +93,10 @@ impl Window {
 
     /// F after a motion for which [`Window::after`] has been called.
     pub(super) fn force(&mut self, contact: &Contact<'_>, motion: &Motion) -> f64 {
-        let passing = Passing::new(contact.springs, &contact.profile, motion);
+        let node_update = NodeUpdate::new(contact.springs, &contact.profile, motion);
         let (length, height, dashpots) = &self.inner;
         self.state.copy_from_slice(dashpots);
-        passing.bonded_sum(&mut self.state, motion.penetration * length - height, *length);
+        node_update.bonded_sum(&mut self.state, motion.penetration * length - height, *length);
         let rest = contact.springs.load(motion.end_penetration() * length - height, self.state.iter().copied());
         2.0 * (rest + self.loads.iter().map(Panel::integral).sum::<f64>())
     }

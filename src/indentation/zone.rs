@@ -55,7 +55,7 @@ pub struct Zone {
 }
 
 impl Zone {
-    /// The kernel at a contact radius a > δ.
+    /// The kernel at a contact radius a > δ (m).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a ≤ δ, where the zone would reach the axis.

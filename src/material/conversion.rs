@@ -30,7 +30,7 @@ pub struct ConversionError {
     /// Relative change of the strength if every given number moves by half a unit in its last place: what decimal input in double
     /// precision cannot know. Large for nearly equal times, and for a term that shifts its rate by little.
     pub strength_input: f64,
-    /// The same for the time.
+    /// The same for the time, relative too.
     pub time_input: f64,
 }
 
@@ -68,7 +68,7 @@ fn pole_difference(k: &Pole, j: &Pole) -> f64 {
 ///
 /// # Errors
 /// [`Refusal::NotConverged`] when a zero cannot be closed in on (numbers outside about 1e-150…1e150).
-pub fn relaxation_from_creep(
+pub(crate) fn relaxation_from_creep(
     glassy_modulus: f64,
     terms: &[CreepTerm],
     steady_viscosity: Option<f64>,
@@ -99,7 +99,10 @@ pub fn relaxation_from_creep(
 ///
 /// # Errors
 /// [`Refusal::NotConverged`] when a zero cannot be closed in on (numbers outside about 1e-150…1e150).
-pub fn creep_from_relaxation(relaxed_modulus: f64, terms: &[RelaxationTerm]) -> Result<(Vec<CreepTerm>, Vec<ConversionError>), Refusal> {
+pub(crate) fn creep_from_relaxation(
+    relaxed_modulus: f64,
+    terms: &[RelaxationTerm],
+) -> Result<(Vec<CreepTerm>, Vec<ConversionError>), Refusal> {
     let rest = (relaxed_modulus > 0.0).then_some(Pole { rate: 0.0, time: f64::INFINITY, weight: relaxed_modulus });
     let poles: Vec<Pole> = rest
         .into_iter()

@@ -19,7 +19,7 @@
 //! correspondence of elastic and viscoelastic problems; Gross (1953) for the poles and zeros. Errors: a few ulp, and those of the zeros, bounded.
 
 use super::conversion::{self, SumZero};
-use super::{Material, RelaxationTerm};
+use super::{Material, PlaneMaterial, RelaxationTerm};
 use crate::refusal::{Refusal, require_positive};
 
 /// An isotropic solid that relaxes in shear and, if its bulk series has terms, in volume.
@@ -28,7 +28,7 @@ pub struct IsotropicSolid {
     shear: Material,
     bulk: Material,
     youngs: Material,
-    plane_strain: Material,
+    plane_strain: PlaneMaterial,
 }
 
 impl IsotropicSolid {
@@ -41,7 +41,7 @@ impl IsotropicSolid {
         require_positive("the relaxed bulk modulus", bulk.relaxed_modulus())?;
         let times = joined(&shear, &bulk);
         let youngs = combined(&shear, &bulk, &times, 1.0)?;
-        let plane_strain = combined(&shear, &bulk, &times, 4.0)?;
+        let plane_strain = PlaneMaterial::of_plane_moduli(combined(&shear, &bulk, &times, 4.0)?);
         Ok(Self { shear, bulk, youngs, plane_strain })
     }
 
@@ -65,7 +65,7 @@ impl IsotropicSolid {
 
     /// The series of E* = 4G(3K + G)/(3K + 4G).
     #[must_use]
-    pub const fn plane_strain(&self) -> &Material {
+    pub const fn plane_strain(&self) -> &PlaneMaterial {
         &self.plane_strain
     }
 

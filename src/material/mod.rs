@@ -14,7 +14,7 @@
 //! A material is given by either series and holds both; the other one is made by [`conversion`] when the material is made. Terms are
 //! sorted from the longest time to the shortest, terms of exactly equal times are merged, and terms of zero strength are dropped, so
 //! equal materials are equal values. An elastic material has no term. The moduli are whatever modulus the problem is stated in
-//! (Young's, or a plane modulus after [`Material::stiffened`]); a constant Poisson ratio belongs to the body, not to the material.
+//! (Young's, shear or bulk); contacts and cracks take a [`PlaneMaterial`]. A constant Poisson ratio belongs to the body, not to the material.
 //!
 //! The rates interlace, 0 < 1/τ_1 < 1/ρ_1 < 1/τ_2 < … (thesis Sec 2.1; Gross, 1953), so a relaxation time is always shorter than the
 //! retardation time it belongs to: for one term ρ = τ E0/E∞.
@@ -24,11 +24,13 @@ mod complex_modulus;
 pub mod conversion;
 pub mod fit;
 pub mod isotropic;
+mod plane;
 mod running_mean;
 pub mod shift;
 mod time_functions;
 
 pub use complex_modulus::ComplexModulus;
+pub use plane::PlaneMaterial;
 pub use running_mean::WeightedMean;
 
 use crate::refusal::{Refusal, require_non_negative, require_positive};
@@ -75,7 +77,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// An elastic material: one modulus, no memory.
+    /// An elastic material: one modulus (Pa), no memory.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] unless the modulus is positive and finite.
@@ -83,7 +85,7 @@ impl Material {
         Self::from_relaxation(require_positive("modulus", modulus)?, &[])
     }
 
-    /// A material from its creep series: the glassy modulus, terms in any order, and a steady viscosity if it flows (E0 = 0).
+    /// A material from its creep series: the glassy modulus (Pa), terms in any order, and a steady viscosity (Pa s) if it flows (E0 = 0).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a modulus, compliance, time or viscosity that is not positive and finite (a zero compliance is
@@ -119,7 +121,7 @@ impl Material {
         .representable()
     }
 
-    /// A material from its relaxation series: the relaxed modulus (0 for a viscous material) and terms in any order.
+    /// A material from its relaxation series: the relaxed modulus (Pa; 0 for a viscous material) and terms in any order.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a modulus that is negative, infinite or a NaN, a time that is not positive and finite (a zero
@@ -175,7 +177,7 @@ impl Material {
         }
     }
 
-    /// The standard linear solid of the thesis, by its two moduli and its RETARDATION time (thesis chapters 3 and 5).
+    /// The standard linear solid of the thesis, by its two moduli (Pa) and its RETARDATION time (s; thesis chapters 3 and 5).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] unless 0 < relaxed modulus ≤ glassy modulus and the time is positive.
@@ -277,7 +279,7 @@ impl Material {
         self.relaxation_terms.first().map(|term| term.relaxation_time)
     }
 
-    /// The same material with every modulus multiplied by `factor`: E → E/(1 − ν²) of a plane-strain problem, for instance.
+    /// The same material with every modulus multiplied by `factor`.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] unless the factor is positive and finite.

@@ -7,7 +7,8 @@
 //! Each work is quadratic in the amplitude of its edge, so √(work_i/2πΓ_i) − 1 is nearly linear in the edges: that is the residual. The unknowns
 //! are the half-width and the eccentricity, or, at a prescribed half-width, the mean pressure and the eccentricity. Every adhesive contact has
 //! four roots, as a pressed edge with interpenetrating faces does the same work as a pulled one: the residual takes the sign of the amplitude, so
-//! that three of them are none, and after each solve the signs, also in the moved contacts, and the gap are checked ([`Admissibility`]). The moved contacts keep the penetration of the contact as it is, not its load.
+//! that three of them are none, and after each solve the signs, also in the moved contacts, and the gap are checked ([`Admissibility`]). The moved contacts keep the
+//! penetration of the contact as it is, not its load.
 //!
 //! Source: thesis Secs 3.2 and 3.3.
 
@@ -244,12 +245,12 @@ impl EdgeBalance {
 
     /// Contacts solved for one evaluation.
     #[must_use]
-    pub const fn contacts_per_evaluation(&self) -> u64 {
+    pub(crate) const fn contacts_per_evaluation(&self) -> u64 {
         if self.adhesion.is_some() { 3 } else { 1 }
     }
 
     /// Evaluations since this was last asked, those that led to nothing as well.
-    pub fn take_evaluations(&self) -> u64 {
+    pub(crate) fn take_evaluations(&self) -> u64 {
         self.evaluations.take()
     }
 
@@ -285,7 +286,7 @@ impl EdgeBalance {
     ///
     /// # Errors
     /// As [`EdgeBalance::evaluate`].
-    pub fn evaluate_edges(&self, edges: ContactEdges, prescribed: Prescribed) -> Result<EdgeStates, Refusal> {
+    pub(crate) fn evaluate_edges(&self, edges: ContactEdges, prescribed: Prescribed) -> Result<EdgeStates, Refusal> {
         self.evaluations.set(self.evaluations.get() + 1);
         let systems = self.systems_of(edges)?;
         let state = systems.own.state(edges.eccentricity, prescribed)?;

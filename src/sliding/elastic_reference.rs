@@ -8,7 +8,7 @@
 //! more than it is due to these. A single parabola has no wave number, and no such reference.
 
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::branch::{BranchPath, BranchProblem, Strength, strength};
 use crate::sliding::contact::Indenter;
@@ -28,7 +28,7 @@ pub struct ElasticReference<T> {
 ///
 /// # Errors
 /// [`Refusal::Undefined`] for a parabola and for a viscous solid; [`Refusal::OutOfRange`] for a negative rate.
-pub fn elastic_reference_modulus(material: &Material, indenter: Indenter, rate: f64) -> Result<Estimate, Refusal> {
+pub fn elastic_reference_modulus(material: &PlaneMaterial, indenter: Indenter, rate: f64) -> Result<Estimate, Refusal> {
     if indenter == Indenter::Parabola {
         return Err(Refusal::Undefined {
             quantity: "the elastic reference contact of a cylinder",
@@ -49,7 +49,10 @@ fn softened(adhesion: WaveAdhesion, modulus: f64) -> WaveAdhesion {
 ///
 /// # Errors
 /// Those of [`elastic_reference_modulus`] and of [`steady_sliding`]; limits are in units of E0 again.
-pub fn elastic_reference_contact(material: &Material, problem: &SlidingProblem<'_>) -> Result<ElasticReference<SlidingOutcome>, Refusal> {
+pub fn elastic_reference_contact(
+    material: &PlaneMaterial,
+    problem: &SlidingProblem<'_>,
+) -> Result<ElasticReference<SlidingOutcome>, Refusal> {
     let modulus = elastic_reference_modulus(material, problem.indenter, problem.rate)?;
     let control = match problem.control {
         SlidingControl::MeanPressure(pressure) => SlidingControl::MeanPressure(pressure / modulus.value),
@@ -61,14 +64,14 @@ pub fn elastic_reference_contact(material: &Material, problem: &SlidingProblem<'
         control,
         ..*problem
     };
-    Ok(ElasticReference { modulus, found: steady_sliding(&Material::elastic(1.0)?, &reference)? })
+    Ok(ElasticReference { modulus, found: steady_sliding(&PlaneMaterial::elastic(1.0)?, &reference)? })
 }
 
 /// What the elastic reference contact carries.
 ///
 /// # Errors
 /// [`Refusal::Undefined`] if the branch is not one of loads; those of [`elastic_reference_modulus`] and of the branch.
-pub fn elastic_reference_strength(material: &Material, problem: &BranchProblem<'_>) -> Result<ElasticReference<Strength>, Refusal> {
+pub fn elastic_reference_strength(material: &PlaneMaterial, problem: &BranchProblem<'_>) -> Result<ElasticReference<Strength>, Refusal> {
     if problem.path != BranchPath::Loads {
         return Err(Refusal::Undefined {
             quantity: "the strength of an elastic reference contact",
@@ -77,5 +80,5 @@ pub fn elastic_reference_strength(material: &Material, problem: &BranchProblem<'
     }
     let modulus = elastic_reference_modulus(material, problem.indenter, problem.rate)?;
     let reference = BranchProblem { adhesion: softened(problem.adhesion, modulus.value), work_by_speed: None, ..*problem };
-    Ok(ElasticReference { modulus, found: strength(&Material::elastic(1.0)?, &reference)? })
+    Ok(ElasticReference { modulus, found: strength(&PlaneMaterial::elastic(1.0)?, &reference)? })
 }

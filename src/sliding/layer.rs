@@ -175,21 +175,21 @@ impl Layer {
 
 /// The mean displacement into the body (m) of a layer of `thickness` (m) that has carried a mean pressure (Pa, compression) for ever.
 ///
-/// `material` holds Young's moduli (not plane moduli).
+/// `youngs` holds Young's moduli.
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`] unless the thickness is positive (an infinite one is the half-plane: its mean displacement exists only at ν = 0.5 and is zero),
 /// the pressure finite and −1 < ν ≤ 0.5; [`Refusal::Undefined`] for a viscous material with ν < 0.5.
-pub fn mean_displacement(material: &Material, poisson_ratio: f64, thickness: f64, mean_pressure: f64) -> Result<Estimate, Refusal> {
+pub fn mean_displacement(youngs: &Material, poisson_ratio: f64, thickness: f64, mean_pressure: f64) -> Result<Estimate, Refusal> {
     let nu = require_poisson_ratio(poisson_ratio)?;
     let pressure = require_finite("mean_pressure", mean_pressure)?;
     if nu >= 0.5 && thickness > 0.0 {
         return Ok(Estimate::exact(0.0));
     }
     require_positive("thickness", thickness)?;
-    let modulus = material.solid_modulus("the mean displacement under a steady pressure")?;
+    let modulus = youngs.solid_modulus("the mean displacement under a steady pressure")?;
     let uniaxial = (1.0 + nu) * (1.0 - 2.0 * nu) / (1.0 - nu);
-    Ok(Estimate::relative(uniaxial * thickness * pressure / modulus, 8.0 * f64::EPSILON + material.modulus_rounding()))
+    Ok(Estimate::relative(uniaxial * thickness * pressure / modulus, 8.0 * f64::EPSILON + youngs.modulus_rounding()))
 }
 
 /// polynomial·e^{−t}, zero where the exponential has underflowed.

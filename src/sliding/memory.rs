@@ -10,7 +10,7 @@
 //! A load at rest in the moving frame meets the complex compliance Ĉ_m = 1/β + Σ j_j/(1 − imζ_j) in its harmonic e^{imx}. The sign of the
 //! imaginary unit is that of a surface that remembers what lies AHEAD of it at x + ζz; thesis (2.9) and (2.19) combined give the mirror image.
 
-use crate::material::{GivenSeries, Material};
+use crate::material::{GivenSeries, PlaneMaterial};
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 
 /// How far 1/β + Σj_j may be from one in terms that are given directly.
@@ -19,9 +19,9 @@ const SUM_TOLERANCE: f64 = 1e-12;
 /// One creep term in the groups of steady sliding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MemoryTerm {
-    /// j_j = J_jE0.
+    /// j_j = J_jE0, a number.
     pub compliance: f64,
-    /// ζ_j = kvτ_j.
+    /// ζ_j = kvτ_j, a number.
     pub ratio: f64,
 }
 
@@ -74,7 +74,7 @@ impl SlidingMemory {
     /// # Errors
     /// [`Refusal::Undefined`] for a viscous material, which no steady load at rest is carried by; [`Refusal::OutOfRange`] unless the wave number is
     /// positive and the speed finite.
-    pub fn of_material(material: &Material, wave_number: f64, speed: f64) -> Result<Self, Refusal> {
+    pub fn of_material(material: &PlaneMaterial, wave_number: f64, speed: f64) -> Result<Self, Refusal> {
         let relaxed = material.solid_modulus("a steady sliding response")?;
         let rate = require_positive("wave_number", wave_number)? * require_finite("speed", speed)?;
         let mut terms = Vec::with_capacity(material.creep_terms().len());

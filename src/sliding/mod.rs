@@ -23,7 +23,8 @@
 //!
 //! # Contacts
 //! [`contact`] solves a contact with given edges and gives its fields and the work at its edges; [`edge_balance`] finds the edges, with adhesion and
-//! without; [`elastic_reference`] compares with an elastic solid, [`sensitivity`] tells what depends on what; [`steady`] reaches any speed from the slow or the fast contact, whose forms are known, and gives every number with its error.
+//! without; [`elastic_reference`] compares with an elastic solid, [`sensitivity`] tells what depends on what; [`steady`] reaches any speed from the slow or the fast
+//! contact, whose forms are known, and gives every number with its error.
 
 pub mod branch;
 pub mod contact;

@@ -44,7 +44,7 @@ impl Angle {
 
     /// The distance π − |angle| to the half turn (rad), not negative.
     #[must_use]
-    pub const fn to_half_turn(self) -> f64 {
+    pub(crate) const fn to_half_turn(self) -> f64 {
         self.to_half_turn
     }
 

@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 pub const COUNT: usize = 32;
 
 /// ζ(2k) at index k − 1.
-pub static EVEN_ZETA: LazyLock<[f64; COUNT]> = LazyLock::new(|| {
+pub(crate) static EVEN_ZETA: LazyLock<[f64; COUNT]> = LazyLock::new(|| {
     std::array::from_fn(|index| match index {
         0 => PI * PI / 6.0,
         1 => (PI * PI) * (PI * PI) / 90.0,

@@ -15,7 +15,7 @@
 //! zero there. Sources: DLMF 6.2.1, 6.2.5, 6.6.1, 6.9.1, 6.12.1–6.12.2.
 
 /// Euler's constant γ.
-pub const EULER_GAMMA: f64 = 0.577_215_664_901_532_9;
+pub(crate) const EULER_GAMMA: f64 = 0.577_215_664_901_532_9;
 
 /// From here the smallest term of the asymptotic series is e^{−40} = 4e-18 of the sum.
 const ASYMPTOTIC_FROM: f64 = 40.0;

@@ -11,12 +11,12 @@ pub static UNIT_RULE: LazyLock<UnitRule> = LazyLock::new(|| rule(16));
 /// Eight nodes.
 pub static UNIT_RULE_8: LazyLock<UnitRule> = LazyLock::new(|| rule(8));
 /// Twelve nodes.
-pub static UNIT_RULE_12: LazyLock<UnitRule> = LazyLock::new(|| rule(12));
+pub(crate) static UNIT_RULE_12: LazyLock<UnitRule> = LazyLock::new(|| rule(12));
 /// Twenty nodes.
 pub static UNIT_RULE_20: LazyLock<UnitRule> = LazyLock::new(|| rule(20));
 
 /// Rules of three, four and five nodes for what vanishes at both ends.
-pub static VANISHING_RULES: LazyLock<[UnitRule; 3]> = LazyLock::new(|| [3, 4, 5].map(vanishing));
+pub(crate) static VANISHING_RULES: LazyLock<[UnitRule; 3]> = LazyLock::new(|| [3, 4, 5].map(vanishing));
 
 fn rule(nodes: usize) -> UnitRule {
     let Some(nodes) = std::num::NonZeroUsize::new(nodes) else { return Vec::new() };

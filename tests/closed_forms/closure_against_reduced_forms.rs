@@ -11,7 +11,7 @@
 //! Oracle: the running means (held to mpmath in `crack_sec_5_2_5_3_raw_double_integrals`), closed forms.
 //!
 //! Tolerance: opening 1e-14 relative, all integrands positive. Closing: the stress changes sign, and what is left of it may be 1e-3 of its
-//! parts, so the error is held to the stated bars, plus that of the stress, and both to 1e-14 of the integral of the magnitudes.
+//! parts, so the error is held to the stated bounds, plus that of the stress, and both to 1e-14 of the integral of the magnitudes.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support::physics;
@@ -23,7 +23,7 @@ use std::f64::consts::PI;
 use viscotack::closure::{EdgeFields, process_zone_work};
 use viscotack::crack::CrackBody;
 use viscotack::crack::near_tip::{ClosingTip, OpeningTip};
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 
 /// Two fields given by functions of the distance to the edge.
 struct Fields<T: Fn(f64) -> f64, G: Fn(f64) -> f64>(T, G);
@@ -38,7 +38,7 @@ impl<T: Fn(f64) -> f64, G: Fn(f64) -> f64> EdgeFields for Fields<T, G> {
     }
 }
 
-/// ½∫ tension·gap/δ by a fixed rule in the logarithms of the distances, good to a percent: for magnitudes and bars, which have kinks.
+/// ½∫ tension·gap/δ by a fixed rule in the logarithms of the distances, good to a percent: for magnitudes and bounds, which have kinks.
 fn about(tension: impl Fn(f64) -> f64, gap: impl Fn(f64) -> f64, zone: f64) -> f64 {
     (-1600..=1600)
         .map(|index| {
@@ -50,7 +50,7 @@ fn about(tension: impl Fn(f64) -> f64, gap: impl Fn(f64) -> f64, zone: f64) -> f
 }
 
 /// A material, a body, a zone length and a speed at which it is crossed in `crossing` times the middle time of the material.
-fn case(seed: u64, crossing: f64, two_halves: bool) -> (Material, CrackBody, f64, f64) {
+fn case(seed: u64, crossing: f64, two_halves: bool) -> (PlaneMaterial, CrackBody, f64, f64) {
     let mut random = Random(seed);
     let material = random_solid(&mut random, 20, 12.0, 1e6);
     let middle = (material.longest_retardation_time().unwrap() * material.relaxation_terms().last().unwrap().relaxation_time).sqrt();
@@ -185,7 +185,7 @@ fn evaluations_are_counted_and_pinned() {
     assert_eq!(work.evaluations, count.get(), "every pair of evaluations is counted, and each is made once");
     println!("square-root fields: {} evaluations", work.evaluations);
     assert_eq!(work.evaluations, 439);
-    let material = Material::standard_solid(1.3e6, 1.3e9, 0.017).unwrap();
+    let material = PlaneMaterial::standard_solid(1.3e6, 1.3e9, 0.017).unwrap();
     let mut counts = Vec::new();
     for exponent in -6..=6 {
         let speed = 1e-6 / (0.017 * 10f64.powi(exponent));

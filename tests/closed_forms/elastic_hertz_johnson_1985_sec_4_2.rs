@@ -70,9 +70,9 @@ fn inverses_return_and_units_do_not_matter() {
             epsilon = 0.0,
             max_relative = 2e-15
         );
-        let twin = millimetres.state_by_force(force).unwrap();
-        assert_relative_eq!(twin.contact_radius, state.contact_radius * 1e3, epsilon = 0.0, max_relative = 1e-15);
-        assert_relative_eq!(twin.penetration, state.penetration * 1e3, epsilon = 0.0, max_relative = 1e-15);
+        let same = millimetres.state_by_force(force).unwrap();
+        assert_relative_eq!(same.contact_radius, state.contact_radius * 1e3, epsilon = 0.0, max_relative = 1e-15);
+        assert_relative_eq!(same.penetration, state.penetration * 1e3, epsilon = 0.0, max_relative = 1e-15);
     }
 }
 

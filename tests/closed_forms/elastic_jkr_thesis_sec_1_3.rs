@@ -160,11 +160,11 @@ fn inverses_return_to_the_state_they_came_from() {
         let sphere = sphere(parameters);
         for state in states(&sphere) {
             let branch = |control| if sphere.is_stable(&state, control) { EquilibriumBranch::Stable } else { EquilibriumBranch::Unstable };
-            for twin in [
+            for same in [
                 sphere.state_by_force(state.force, branch(Control::Load)).unwrap(),
                 sphere.state_by_penetration(state.penetration, branch(Control::Penetration)).unwrap(),
             ] {
-                assert_relative_eq!(twin.contact_radius, state.contact_radius, epsilon = 0.0, max_relative = 2.0 * twin.relative_error);
+                assert_relative_eq!(same.contact_radius, state.contact_radius, epsilon = 0.0, max_relative = 2.0 * same.relative_error);
             }
         }
         // The folds themselves are answered, and one part in 1e12 beyond them is refused with the limit as witness.

@@ -188,14 +188,14 @@ fn inverses_return_to_the_state_they_came_from() {
             } else {
                 WaveBranch::Wide
             };
-            let twin = wave.state_by_mean_pressure(state.mean_pressure, branch).unwrap();
-            assert_relative_eq!(twin.contact_half_width, state.contact_half_width, epsilon = 0.0, max_relative = 2.0 * twin.relative_error);
-            assert_relative_eq!(twin.gap_half_width, state.gap_half_width, epsilon = 0.0, max_relative = 2.0 * twin.relative_error);
+            let same = wave.state_by_mean_pressure(state.mean_pressure, branch).unwrap();
+            assert_relative_eq!(same.contact_half_width, state.contact_half_width, epsilon = 0.0, max_relative = 2.0 * same.relative_error);
+            assert_relative_eq!(same.gap_half_width, state.gap_half_width, epsilon = 0.0, max_relative = 2.0 * same.relative_error);
             let stable = wave.is_stable(&state, Control::Penetration).unwrap();
             let branch = if stable { EquilibriumBranch::Stable } else { EquilibriumBranch::Unstable };
-            let twin = wave.state_by_penetration(state.penetration, branch).unwrap();
-            assert_relative_eq!(twin.contact_half_width, state.contact_half_width, epsilon = 0.0, max_relative = 2.0 * twin.relative_error);
-            assert_relative_eq!(twin.gap_half_width, state.gap_half_width, epsilon = 0.0, max_relative = 2.0 * twin.relative_error);
+            let same = wave.state_by_penetration(state.penetration, branch).unwrap();
+            assert_relative_eq!(same.contact_half_width, state.contact_half_width, epsilon = 0.0, max_relative = 2.0 * same.relative_error);
+            assert_relative_eq!(same.gap_half_width, state.gap_half_width, epsilon = 0.0, max_relative = 2.0 * same.relative_error);
         }
         // The folds are answered, beyond them the limit is the witness.
         let fold = wave.pull_off(Control::Penetration).unwrap();
@@ -206,12 +206,12 @@ fn inverses_return_to_the_state_they_came_from() {
             for (state, branch) in
                 [(pull, WaveBranch::Stable), (pull, WaveBranch::Narrow), (snap, WaveBranch::Stable), (snap, WaveBranch::Wide)]
             {
-                let twin = wave.state_by_mean_pressure(state.mean_pressure, branch).unwrap();
+                let same = wave.state_by_mean_pressure(state.mean_pressure, branch).unwrap();
                 assert_relative_eq!(
-                    twin.contact_half_width,
+                    same.contact_half_width,
                     state.contact_half_width,
                     epsilon = 0.0,
-                    max_relative = twin.relative_error.max(1e-12)
+                    max_relative = same.relative_error.max(1e-12)
                 );
             }
             assert!(wave.state_by_mean_pressure(pull.mean_pressure * (1.0 + 1e-12), WaveBranch::Stable).is_err());

@@ -47,7 +47,7 @@ fn rows() -> Vec<Row> {
 }
 
 /// Checks one value against its own bound; returns (error, bound), both relative.
-fn judge(row: &Row, computed: f64, bound: f64) -> (f64, f64) {
+fn assess(row: &Row, computed: f64, bound: f64) -> (f64, f64) {
     let error = ((computed - row.value) / row.value).abs();
     assert!(
         error <= bound,
@@ -72,7 +72,7 @@ fn sphere_inverses_agree_with_the_stationary_energy() {
         } else {
             (sphere.state_by_penetration(row.input[3], branch).unwrap(), sphere.pull_off(Control::Penetration).unwrap().penetration)
         };
-        let (error, bound) = judge(row, state.contact_radius, state.relative_error);
+        let (error, bound) = assess(row, state.contact_radius, state.relative_error);
         let distance = (1.0 - row.input[3] / fold).abs();
         // The bound may not be a blanket: within a factor of the conditioning 1e-16/√distance of the fold.
         assert!(bound < 4e-15 + 2e-15 / distance.sqrt(), "bound {bound:e} at a distance {distance:e} from the fold");
@@ -104,7 +104,7 @@ fn wave_inverses_agree_with_bisection() {
         }
         .unwrap();
         let width = if row.asked.starts_with("gap") { state.gap_half_width } else { state.contact_half_width };
-        let (error, bound) = judge(row, width, state.relative_error);
+        let (error, bound) = assess(row, width, state.relative_error);
         assert!(bound < 1e-7, "{} {:?}: bound {bound:e}", row.asked, row.input);
         if bound < 1e-13 {
             worst = worst.max(error);
@@ -137,7 +137,7 @@ fn wave_extrema_agree_with_bisection_of_the_derivative() {
             "penetration" => state.penetration,
             _ => state.contact_half_width,
         };
-        worst = worst.max(judge(row, value, 3e-15).0);
+        worst = worst.max(assess(row, value, 3e-15).0);
         count += 1;
     }
     println!("extrema, {count} values: worst error {worst:.1e}");

@@ -87,10 +87,10 @@ fn inverses_return_and_full_contact_is_reached() {
     let mut worst = 0.0_f64;
     for part in [1e-12, 1e-5, 0.03, 0.25, 0.5, 0.75, 0.99, 0.9999] {
         let state = wave.state_by_contact_half_width(part * LENGTH / 2.0).unwrap();
-        for twin in [wave.state_by_mean_pressure(state.mean_pressure).unwrap(), wave.state_by_penetration(state.penetration).unwrap()] {
-            assert_relative_eq!(twin.contact_half_width, state.contact_half_width, epsilon = 0.0, max_relative = twin.relative_error);
-            assert_relative_eq!(twin.gap_half_width, state.gap_half_width, epsilon = 0.0, max_relative = twin.relative_error);
-            let error = (twin.gap_half_width / state.gap_half_width - 1.0).abs() / twin.relative_error;
+        for same in [wave.state_by_mean_pressure(state.mean_pressure).unwrap(), wave.state_by_penetration(state.penetration).unwrap()] {
+            assert_relative_eq!(same.contact_half_width, state.contact_half_width, epsilon = 0.0, max_relative = same.relative_error);
+            assert_relative_eq!(same.gap_half_width, state.gap_half_width, epsilon = 0.0, max_relative = same.relative_error);
+            let error = (same.gap_half_width / state.gap_half_width - 1.0).abs() / same.relative_error;
             worst = worst.max(error);
         }
     }

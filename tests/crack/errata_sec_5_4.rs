@@ -14,7 +14,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::closure::{EdgeFields, process_zone_work};
 use viscotack::crack::delayed::validity::growth_validity;
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, LoadSegment, Onset, Regime, Resolution, TipState, onset, regime, trajectory};
@@ -81,7 +81,7 @@ fn eq_5_64_as_printed_is_the_mended_form() {
 fn fig_5_7b_parameters_break_the_assumptions_and_still_compute() {
     let (relaxed, half_height, work, range) = (650e6, 6.2e-9, 0.03, 0.36e-9);
     let cohesive = work / range;
-    let material = Material::standard_solid(relaxed, 10.0 * relaxed, 1e-3).unwrap();
+    let material = PlaneMaterial::standard_solid(relaxed, 10.0 * relaxed, 1e-3).unwrap();
     let strip = PureShearStrip::new(half_height, SidewaysStrain::Free, PlaneState::Stress, 0.5).unwrap();
     let law = ProcessZone::Growing { cohesive_stress: cohesive, factor: 1.0 };
     let interface = Interface { work_of_adhesion: work, process_zone: law, body: CrackBody::AgainstRigid };
@@ -112,7 +112,7 @@ fn fig_5_7b_parameters_break_the_assumptions_and_still_compute() {
 
 #[test]
 fn eq_5_68_regimes_with_the_inequality_that_decides() {
-    let material = Material::standard_solid(650e6, 6.5e9, 1e-3).unwrap();
+    let material = PlaneMaterial::standard_solid(650e6, 6.5e9, 1e-3).unwrap();
     let law = ProcessZone::Constant { length: 1e-9 };
     for body in [CrackBody::AgainstRigid, CrackBody::TwoHalves] {
         let interface = Interface { work_of_adhesion: 0.03, process_zone: law, body };
@@ -144,7 +144,7 @@ fn eq_5_68_regimes_with_the_inequality_that_decides() {
 fn elastic_and_viscous_materials_have_their_own_onset() {
     let law = ProcessZone::Constant { length: 1e-6 };
     let interface = Interface { work_of_adhesion: 0.3, process_zone: law, body: CrackBody::AgainstRigid };
-    let elastic = Material::elastic(2.1e6).unwrap();
+    let elastic = PlaneMaterial::elastic(2.1e6).unwrap();
     let problem = GrowthProblem::new(&elastic, interface, 0.0).unwrap();
     assert_eq!(onset(&problem, 0.99 * problem.glassy_limit()).unwrap(), Onset::Never);
     assert_eq!(onset(&problem, 1.01 * problem.glassy_limit()).unwrap(), Onset::AtOnce);
@@ -153,7 +153,7 @@ fn elastic_and_viscous_materials_have_their_own_onset() {
     assert_eq!(found.samples[0].state, TipState::Resting);
     assert_eq!(found.samples[1].state, TipState::Unbounded);
     // A Maxwell solid under any load starts some time: J(t) = 1/E∞ + t/η.
-    let viscous = Material::from_creep(2.1e6, &[], Some(4.3e5)).unwrap();
+    let viscous = PlaneMaterial::from_creep(2.1e6, &[], Some(4.3e5)).unwrap();
     let problem = GrowthProblem::new(&viscous, interface, 0.0).unwrap();
     for part in [1e-6, 0.1, 0.9] {
         let load = part * problem.glassy_limit();

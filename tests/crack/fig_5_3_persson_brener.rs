@@ -12,7 +12,7 @@
 //!
 //! Oracle: `reference_data/steady_crack.csv` (mpmath, the frequency integrals themselves); the two expansions above.
 //!
-//! Tolerance: 1e-13 for the reference times the local condition of a speed rounded to a double; the error bars must hold. Figures of the
+//! Tolerance: 1e-13 for the reference times the local condition of a speed rounded to a double; the error bounds must hold. Figures of the
 //! comparison are pinned to the digits printed.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
@@ -24,7 +24,7 @@ use physics::{Random, random_solid, relative};
 use std::f64::consts::{FRAC_1_PI, PI};
 use support::{reference_materials, reference_rows};
 use theory::{STRESS, WORK, growing, interface};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::crack::persson_brener::PerssonBrener;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve, at_drive, at_speed};
@@ -50,7 +50,7 @@ fn reference_values_are_reached_to_1e13() {
         let input = 0.5 * f64::EPSILON * (1.0 + condition) * expected;
         let error = relative(ratio.value, expected);
         let place = format!("{} {}: {:e} instead of {expected:e}", row.text("case"), row.text("process_zone"), ratio.value);
-        assert!((ratio.value - expected).abs() <= ratio.error + input, "{place}: above its bar {:e}", ratio.error);
+        assert!((ratio.value - expected).abs() <= ratio.error + input, "{place}: above its bound {:e}", ratio.error);
         if condition <= 20.0 {
             assert!(error <= 1e-13, "{place}: {error:e}");
             worst = worst.max(error);
@@ -73,7 +73,7 @@ fn reference_values_are_reached_to_1e13() {
 }
 
 /// G/Δγ of both theories at one speed: virtual work with α, loss with a = a₀G/Δγ.
-fn pair(material: &Material, motion: Motion, alpha: f64, speed: f64) -> [f64; 2] {
+fn pair(material: &PlaneMaterial, motion: Motion, alpha: f64, speed: f64) -> [f64; 2] {
     let work = VirtualWork::new(material, motion, interface(growing(alpha))).unwrap();
     let loss = PerssonBrener::new(material, motion, interface(growing(1.0))).unwrap();
     [at_speed(&work, speed, 1e-15).unwrap(), at_speed(&loss, speed, 1e-15).unwrap()]
@@ -81,7 +81,7 @@ fn pair(material: &Material, motion: Motion, alpha: f64, speed: f64) -> [f64; 2]
 }
 
 /// a₀ = E0Δγ/(πσ_c²).
-fn relaxed_zone(material: &Material) -> f64 {
+fn relaxed_zone(material: &PlaneMaterial) -> f64 {
     material.relaxed_modulus() * WORK / (PI * STRESS * STRESS)
 }
 
@@ -137,7 +137,7 @@ fn both_limits_agree_for_alpha_1_over_pi_and_for_no_other() {
 }
 
 /// The largest |G_work/G_loss − 1| at equal speed, with the speed (in a₀/τ), and the largest |log10 of v_work/v_loss| at equal G, with G.
-fn largest_deviations(material: &Material, motion: Motion, alpha: f64) -> [(f64, f64); 2] {
+fn largest_deviations(material: &PlaneMaterial, motion: Motion, alpha: f64) -> [(f64, f64); 2] {
     let unit = relaxed_zone(material) / material.longest_retardation_time().unwrap();
     let beta = material.stiffening_ratio();
     let (mut in_ratio, mut in_speed) = ((0.0_f64, 0.0), (0.0_f64, 0.0));
@@ -178,7 +178,7 @@ fn deviations_between_the_limits_are_these() {
     ];
     let mut wrong = Vec::new();
     for (beta, expected) in pinned {
-        let material = Material::standard_solid(1.9e6, 1.9e6 * beta, 4.7e-3).unwrap();
+        let material = PlaneMaterial::standard_solid(1.9e6, 1.9e6 * beta, 4.7e-3).unwrap();
         for (motion, expected) in [Motion::Opening, Motion::Closing].into_iter().zip(expected) {
             let [(ratio, at_speed), (shift, at_ratio)] = largest_deviations(&material, motion, FRAC_1_PI);
             println!(
@@ -195,7 +195,7 @@ fn deviations_between_the_limits_are_these() {
 #[test]
 fn constant_cut_off_is_the_other_law_of_fig_5_5a() {
     // With a constant cut-off a and δ = a/π the two closing theories agree in both limits as well.
-    let material = Material::standard_solid(7.3e5, 7.3e7, 0.037).unwrap();
+    let material = PlaneMaterial::standard_solid(7.3e5, 7.3e7, 0.037).unwrap();
     let length = 3.1e-7;
     for (speed, tolerance) in [(1e-12, 1e-6), (1e6, 1e-6), (length / 0.037, 0.2)] {
         let theory = |factor: f64| interface(ProcessZone::Constant { length: length * factor });
@@ -209,7 +209,7 @@ fn constant_cut_off_is_the_other_law_of_fig_5_5a() {
 /// A cut-off a of Schapery's length (5.43), whose creep is that of the time a/v = 2πT in which it is crossed: by quadrature in q = √(ζ/a).
 #[test]
 fn schaperys_length_is_crossed_in_two_pi_of_the_time() {
-    let material = Material::standard_solid(7.3e5, 7.3e7, 0.037).unwrap();
+    let material = PlaneMaterial::standard_solid(7.3e5, 7.3e7, 0.037).unwrap();
     for alpha in [0.5, 1.0, 1.3] {
         let law = interface(ProcessZone::Schapery { cohesive_stress: STRESS, factor: alpha });
         let curve = PerssonBrener::new(&material, Motion::Closing, law).unwrap();

@@ -23,7 +23,7 @@ use physics::relative;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI, TAU};
 use support::{reference_materials, reference_rows};
 use theory::{STRESS, WORK, growing, interface};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::closure::process_zone_work;
 use viscotack::crack::cohesive_zone::CohesiveZone;
 use viscotack::crack::near_tip::ClosingTip;
@@ -59,7 +59,7 @@ fn cohesive_zone_references_are_reached_to_1e13() {
         let condition = state.speed_exponent.abs();
         let place = format!("{}: {value:e} instead of {expected:e}", row.text("case"));
         let error = (value - expected).abs();
-        assert!(error <= bar + 0.5 * f64::EPSILON * (1.0 + condition) * expected, "{place}: above its bar {bar:e}");
+        assert!(error <= bar + 0.5 * f64::EPSILON * (1.0 + condition) * expected, "{place}: above its bound {bar:e}");
         assert!(error <= 1e-13 * (1.0 + condition) * expected, "{place}: {:e}", error / expected);
         assert!(relative(state.crossing_length.value, row.number("process_zone_length")) <= 1e-13 * (1.0 + condition), "{place}");
         worst[index] = worst[index].max(error / expected / (1.0 + condition));
@@ -91,8 +91,8 @@ fn schaperys_length_references_are_reached_to_1e13() {
 // ------------------------------------------------------------------------------------------------ Fig 5.5b
 
 /// The material of Figs 5.4 and 5.5: one term, β = 100.
-fn fig_5_5() -> Material {
-    Material::standard_solid(7.3e5, 7.3e7, 0.037).unwrap()
+fn fig_5_5() -> PlaneMaterial {
+    PlaneMaterial::standard_solid(7.3e5, 7.3e7, 0.037).unwrap()
 }
 
 /// v with v̂ = vτσ₀²/(E0Δγ).
@@ -104,7 +104,7 @@ fn ratio_at(curve: &impl SteadyCurve, speed: f64) -> f64 {
     at_speed(curve, speed, 1e-15).unwrap().energy_release_rate_ratio.unwrap().value
 }
 
-fn schapery(material: &Material, factor: f64) -> VirtualWork<'_> {
+fn schapery(material: &PlaneMaterial, factor: f64) -> VirtualWork<'_> {
     VirtualWork::new(material, Motion::Closing, interface(ProcessZone::Schapery { cohesive_stress: STRESS, factor })).unwrap()
 }
 
@@ -271,7 +271,7 @@ fn erratum_15_eq_5_43_creep_since_the_material_entered_the_zone_and_alpha_of_k1(
 fn erratum_16_fig_5_5b_axis_needs_the_square_of_the_cohesive_stress() {
     // The curve is one in v̂ = vτσ₀²/(E0Δγ): other numbers, the same G. The printed axis vτσ₀/(E0Δγ) gives another curve for each.
     let one = fig_5_5();
-    let two = Material::standard_solid(3.1e4, 3.1e6, 11.3).unwrap();
+    let two = PlaneMaterial::standard_solid(3.1e4, 3.1e6, 11.3).unwrap();
     let (other_work, other_stress) = (2.9, 4.3e4);
     let mended_speed = |reduced: f64| reduced * 3.1e4 * other_work / (11.3 * other_stress * other_stress);
     let printed = |speed: f64, time: f64, stress: f64, modulus: f64, work: f64| speed * time * stress / (modulus * work);
@@ -310,7 +310,7 @@ fn erratum_17_eq_5_40_holds_with_the_remote_intensity() {
 
 /// The distance of the largest compression from the tip, over vρ, by golden section.
 fn compressive_peak(beta: f64) -> f64 {
-    let material = Material::standard_solid(7.3e5, 7.3e5 * beta, 0.037).unwrap();
+    let material = PlaneMaterial::standard_solid(7.3e5, 7.3e5 * beta, 0.037).unwrap();
     let (speed, time) = (1.7e-3, material.relaxation_terms()[0].relaxation_time);
     let tip = ClosingTip::new(&material, RIGID, 1e-4, speed).unwrap();
     let stress = |distance: f64| tip.stress(distance * speed * time).unwrap().value;
@@ -377,7 +377,7 @@ fn erratum_20_fig_5_5a_overlap_of_the_closing_theories_is_at_1_over_pi_not_at_on
 #[test]
 fn opening_zone_of_fig_5_3_is_alpha_2_5() {
     // δ = πK²/(8σ₀²) against αK²/(2πσ_c²) at σ_c = σ₀: α = π²/4 = 2.47; with σ₀ = 3σ_c, α = 0.274.
-    let material = Material::standard_solid(1.9e6, 1.9e9, 4.7e-3).unwrap();
+    let material = PlaneMaterial::standard_solid(1.9e6, 1.9e9, 4.7e-3).unwrap();
     let rest = at_speed(&CohesiveZone::new(&material, Motion::Opening, WORK, STRESS, RIGID).unwrap(), 0.0, 1e-15).unwrap();
     let zone = interface(growing(1.0)).relaxed_zone(&material).unwrap();
     assert!(relative(rest.crossing_length.value / zone, FRAC_PI_2 * FRAC_PI_2) <= 1e-14);

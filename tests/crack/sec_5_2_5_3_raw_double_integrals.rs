@@ -11,7 +11,7 @@
 //! Oracle: `reference_data/steady_crack.csv`, nested quadrature by mpmath at two precisions; shares neither the reduction nor code.
 //!
 //! Tolerance: 1e-13 relative, as promised to users: some tens of ulp. A closing stress near its change of sign is held to 1e-13 of the
-//! sum of the magnitudes of its parts, the scale that the reference states. The error bar of each value must bound its error.
+//! sum of the magnitudes of its parts, the scale that the reference states. The error bound of each value must bound its error.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
@@ -20,7 +20,7 @@ use support::{Row, reference_materials, reference_rows};
 use viscotack::crack::near_tip::{ClosingTip, OpeningTip};
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
-use viscotack::{Estimate, Material};
+use viscotack::{Estimate, PlaneMaterial};
 
 const TOLERANCE: f64 = 1e-13;
 
@@ -34,8 +34,8 @@ fn interface(row: &Row) -> Interface {
     Interface { work_of_adhesion: row.number("work_of_adhesion"), process_zone, body: CrackBody::AgainstRigid }
 }
 
-/// The value with its error bar, and how many times the relative error of the speed enters its own.
-fn solved(row: &Row, material: &Material) -> (Estimate, f64) {
+/// The value with its error bound, and how many times the relative error of the speed enters its own.
+fn solved(row: &Row, material: &PlaneMaterial) -> (Estimate, f64) {
     let motion = if row.text("motion") == "opening" { Motion::Opening } else { Motion::Closing };
     match row.text("quantity") {
         "mean_creep" => {
@@ -109,7 +109,7 @@ fn every_reference_value_is_reached_to_1e13_and_bounded_by_its_error_bar() {
         // The value itself is rounded to a double here, half an ulp.
         assert!(
             error <= estimate.error + 0.5 * f64::EPSILON * expected.abs(),
-            "{place}: error {error:e} above its bar {:e}",
+            "{place}: error {error:e} above its bound {:e}",
             estimate.error
         );
         assert!(error <= TOLERANCE * scale, "{place}: {:.1e} of the scale", error / scale);
@@ -118,8 +118,8 @@ fn every_reference_value_is_reached_to_1e13_and_bounded_by_its_error_bar() {
         worst = worst.max(error / scale);
         wide = wide.max(estimate.error / scale);
     }
-    println!("{values} values, steepest d ln G/d ln v {steepest:.1e}, worst error {worst:.1e}, widest bar {wide:.1e}");
+    println!("{values} values, steepest d ln G/d ln v {steepest:.1e}, worst error {worst:.1e}, widest bound {wide:.1e}");
     assert!(values >= 500, "only {values} values were compared");
     assert!(steepest > 1e4, "the cliff of a closing crack is among them");
-    assert!(wide < TOLERANCE, "an error bar is wider than the promise: {wide:e}");
+    assert!(wide < TOLERANCE, "an error bound is wider than the promise: {wide:e}");
 }

@@ -14,7 +14,7 @@
 //! Oracle: exact limits, monotonicity, inverse functions, scaling laws; no reference file.
 //!
 //! Tolerance: limits `==`; ratios never fall by more than 2 ulp where they should rise; a load that was asked for is met to 1e-13; in round
-//! trips the stated bars must hold. Scalings hold to a few ulp times the local condition.
+//! trips the stated bounds must hold. Scalings hold to a few ulp times the local condition.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
 use crate::support::physics;
@@ -26,7 +26,7 @@ use viscotack::crack::cohesive_zone::CohesiveZone;
 use viscotack::crack::persson_brener::PerssonBrener;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve, at_drive, at_speed};
-use viscotack::material::{Material, RelaxationTerm};
+use viscotack::material::{PlaneMaterial, RelaxationTerm};
 use viscotack::{Refusal, crack};
 
 /// The speed at which the relaxed zone is crossed in the middle time of the material.
@@ -87,9 +87,9 @@ fn energy_release_rate_is_monotone_in_speed_and_between_its_limits() {
                         Motion::Opening => assert!(ratio.value >= 1.0 && ratio.value <= beta, "{name} {ratio:?} {beta:e}"),
                         Motion::Closing => assert!(ratio.value <= 1.0 && ratio.value >= 1.0 / beta, "{name} {ratio:?} {beta:e}"),
                     }
-                    // A steep curve magnifies the rounding of the speed: the bar says so, and nothing more.
+                    // A steep curve magnifies the rounding of the speed: the bound says so, and nothing more.
                     let bar = 1e-12 * (1.0 + state.speed_exponent.abs());
-                    assert!(ratio.relative_error() < bar, "{name}: bar {:e} at slope {:e}", ratio.relative_error(), state.speed_exponent);
+                    assert!(ratio.relative_error() < bar, "{name}: bound {:e} at slope {:e}", ratio.relative_error(), state.speed_exponent);
                     if let Some(before) = last {
                         let before_ratio = before.energy_release_rate_ratio.unwrap();
                         let rise =
@@ -160,7 +160,7 @@ fn speed_at_a_load_has_a_backward_error_below_1e13() {
 }
 
 #[test]
-fn speed_and_load_are_inverse_within_their_bars() {
+fn speed_and_load_are_inverse_within_their_bounds() {
     let mut random = Random(17);
     let (mut worst, mut count, mut widest) = (0.0_f64, 0, 0.0_f64);
     for number in 0..40 {
@@ -175,7 +175,7 @@ fn speed_and_load_are_inverse_within_their_bars() {
                     let speed = middle * 10f64.powf(exponent);
                     let there = at_speed(&curve, speed, 1e-15).unwrap();
                     let Ok(back) = at_drive(&curve, there.drive.value, 1e-15) else {
-                        // Within rounding of a limit of the load no speed can be told.
+                        // Within rounding of a limit of the load no speed can be known.
                         assert!(there.speed_exponent.abs() < 1e-9, "{name} at {speed:e}");
                         continue;
                     };
@@ -195,13 +195,13 @@ fn speed_and_load_are_inverse_within_their_bars() {
             }
         }
     }
-    println!("{count} round trips, largest error over bar {worst:.2}, widest bar of a speed where d ln G/d ln v > 0.1: {widest:.1e}");
+    println!("{count} round trips, largest error over bound {worst:.2}, widest bound of a speed where d ln G/d ln v > 0.1: {widest:.1e}");
     assert!(count > 3000 && widest < 1e-12);
 }
 
 #[test]
 fn loads_beyond_the_limits_are_refused_with_the_limit() {
-    let material = Material::standard_solid(2.3e5, 4.6e7, 0.031).unwrap();
+    let material = PlaneMaterial::standard_solid(2.3e5, 4.6e7, 0.031).unwrap();
     for motion in MOTIONS {
         for (name, curve) in theories(&material, motion) {
             for ratio in [0.5, 1.0 - 1e-9, 200.0, 200.0 * (1.0 + 1e-9), 1e9] {
@@ -362,7 +362,7 @@ fn metres_and_millimetres_agree() {
 
 #[test]
 fn elastic_cracks_know_no_speed() {
-    let material = Material::elastic(7.3e5).unwrap();
+    let material = PlaneMaterial::elastic(7.3e5).unwrap();
     for motion in MOTIONS {
         for (name, curve) in theories(&material, motion) {
             for speed in [0.0, 1e-12, 1.0, 1e9, f64::INFINITY] {
@@ -377,8 +377,8 @@ fn elastic_cracks_know_no_speed() {
 }
 
 /// A fluid of three terms, and the solid that a small relaxed modulus makes of it.
-fn fluid(relaxed: f64) -> Material {
-    Material::from_relaxation(
+fn fluid(relaxed: f64) -> PlaneMaterial {
+    PlaneMaterial::from_relaxation(
         relaxed,
         &[
             RelaxationTerm { modulus: 6.7e7, relaxation_time: 3.1e-4 },
@@ -476,7 +476,7 @@ fn solids_tend_to_the_fluid_as_their_relaxed_modulus_vanishes() {
 
 #[test]
 fn work_is_counted_and_pinned() {
-    let material = Material::standard_solid(1.9e6, 1.9e9, 4.7e-3).unwrap();
+    let material = PlaneMaterial::standard_solid(1.9e6, 1.9e9, 4.7e-3).unwrap();
     let curve = VirtualWork::new(&material, Motion::Opening, interface(growing(1.0))).unwrap();
     let (mut speed_points, mut load_points) = (0, 0);
     for exponent in -12..=12 {

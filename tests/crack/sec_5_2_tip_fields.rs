@@ -23,7 +23,7 @@ use std::f64::consts::{PI, TAU};
 use viscotack::closure::EdgeFields;
 use viscotack::crack::CrackBody;
 use viscotack::crack::near_tip::{ClosingTip, OpeningTip};
-use viscotack::material::{Material, RelaxationTerm};
+use viscotack::material::{PlaneMaterial, RelaxationTerm};
 use viscotack::special::dawson::dawson;
 use viscotack::special::gauss_legendre::UNIT_RULE;
 
@@ -33,7 +33,7 @@ const INTENSITY: f64 = 4.1e4;
 #[test]
 fn trumpet_between_its_two_parabolas_over_twenty_decades() {
     for beta in [2.0, 1e3, 1e6] {
-        let material = Material::standard_solid(7.9e5, 7.9e5 * beta, 0.023).unwrap();
+        let material = PlaneMaterial::standard_solid(7.9e5, 7.9e5 * beta, 0.023).unwrap();
         let speed = 3.7e-4;
         let length = speed * 0.023;
         let tip = OpeningTip::new(&material, RIGID, INTENSITY, speed).unwrap();
@@ -92,7 +92,7 @@ fn two_radii_of_the_trumpet_eqs_5_16_and_5_18() {
 
 #[test]
 fn naive_difference_of_the_trumpet_loses_beta_ulp_near_the_tip() {
-    let material = Material::standard_solid(7.9e3, 7.9e9, 0.023).unwrap();
+    let material = PlaneMaterial::standard_solid(7.9e3, 7.9e9, 0.023).unwrap();
     let speed = 3.7e-4;
     let tip = OpeningTip::new(&material, RIGID, INTENSITY, speed).unwrap();
     let term = material.creep_terms()[0];
@@ -117,7 +117,7 @@ fn naive_difference_of_the_trumpet_loses_beta_ulp_near_the_tip() {
 #[test]
 fn closing_stress_between_its_two_hyperbolas_over_twenty_decades() {
     for beta in [1.5, 100.0, 1e6] {
-        let material = Material::standard_solid(7.9e5, 7.9e5 * beta, 0.023).unwrap();
+        let material = PlaneMaterial::standard_solid(7.9e5, 7.9e5 * beta, 0.023).unwrap();
         let (speed, time) = (3.7e-4, material.relaxation_terms()[0].relaxation_time);
         let (length, displacement) = (speed * time, 2.3e-4);
         let tip = ClosingTip::new(&material, RIGID, displacement, speed).unwrap();
@@ -150,7 +150,7 @@ fn closing_stress_between_its_two_hyperbolas_over_twenty_decades() {
 }
 
 /// The smallest value of [E0 + ΣE_i D′(y_i)]/E0 over all distances: negative exactly if there is a compressive zone.
-fn smallest_bracket(material: &Material) -> f64 {
+fn smallest_bracket(material: &PlaneMaterial) -> f64 {
     let speed = 1e-3;
     let tip = ClosingTip::new(material, RIGID, 1.0 / material.relaxed_modulus(), speed).unwrap();
     let (first, last) = (material.relaxation_terms().last().unwrap().relaxation_time, material.longest_relaxation_time().unwrap());
@@ -169,7 +169,7 @@ fn a_compressive_zone_exists_if_one_drop_of_modulus_exceeds_the_factor_4_51() {
     let threshold = 1.0 + 1.0 / 0.284_749_4;
     println!("one term: compressive zone iff β > {threshold:.4}");
     for (beta, compressive) in [(2.0, false), (4.0, false), (threshold - 2e-3, false), (threshold + 2e-3, true), (5.0, true), (1e6, true)] {
-        let material = Material::standard_solid(7.9e5, 7.9e5 * beta, 0.023).unwrap();
+        let material = PlaneMaterial::standard_solid(7.9e5, 7.9e5 * beta, 0.023).unwrap();
         let smallest = smallest_bracket(&material);
         assert_eq!(smallest < 0.0, compressive, "β = {beta}: {smallest}");
         assert!((smallest - (1.0 - 0.284_749_4 * (beta - 1.0))).abs() <= 1e-4 * beta, "{smallest}");
@@ -182,7 +182,7 @@ fn a_compressive_zone_exists_if_one_drop_of_modulus_exceeds_the_factor_4_51() {
                 relaxation_time: 10f64.powi(3 - 5 * index),
             })
             .collect();
-        Material::from_relaxation(7.9e5, &terms).unwrap()
+        PlaneMaterial::from_relaxation(7.9e5, &terms).unwrap()
     };
     let gentle = stairs(4.0, 6);
     assert!(relative(gentle.stiffening_ratio(), 4096.0) < 1e-12 && smallest_bracket(&gentle) > 0.0, "{}", smallest_bracket(&gentle));
@@ -274,7 +274,7 @@ fn fields_in_two_unit_systems_and_for_two_halves() {
 
 #[test]
 fn elastic_limits_at_rest_and_infinitely_fast() {
-    let material = Material::standard_solid(7.9e5, 7.9e8, 0.023).unwrap();
+    let material = PlaneMaterial::standard_solid(7.9e5, 7.9e8, 0.023).unwrap();
     for s in [1e-9, 1e-6, 1e-2] {
         for (speed, modulus) in [(0.0, 7.9e5), (f64::INFINITY, 7.9e8)] {
             let opening = OpeningTip::new(&material, RIGID, INTENSITY, speed).unwrap().displacement(s).unwrap().value;
@@ -290,7 +290,7 @@ fn elastic_limits_at_rest_and_infinitely_fast() {
         assert!(ClosingTip::new(&material, RIGID, 2.3e-4, 1e-3).unwrap().stress(bad).is_err());
         assert!(OpeningTip::new(&material, RIGID, bad, 1e-3).is_err());
     }
-    let fluid = Material::from_relaxation(0.0, &[RelaxationTerm { modulus: 3.3e6, relaxation_time: 0.7 }]).unwrap();
+    let fluid = PlaneMaterial::from_relaxation(0.0, &[RelaxationTerm { modulus: 3.3e6, relaxation_time: 0.7 }]).unwrap();
     assert!(OpeningTip::new(&fluid, RIGID, INTENSITY, 0.0).unwrap().displacement(1e-6).is_err());
     assert!(OpeningTip::new(&fluid, RIGID, INTENSITY, 1e-6).unwrap().relaxed_radius().is_err());
 }

@@ -6,14 +6,14 @@
 //! Parameters: one-term solids under one load, β 1.2–1000, at the lines that scenes of accuracies 1e-2 to 1e-7 took, and at any others; slow arrests under falling loads;
 //! zones that follow the load; the input `delayed_100301`; random scenes of the study.
 //!
-//! Oracle: dw/dq = [w(q) − w(q − 1)]/c, w = e^{t/τ}, c = (1 − 1/k)/(1 − 1/β): a tip under one load starts once, has one kink at q = 1, where w = 1 + (1/c − 1)e^{1/c}, and
-//! never stops (w grows with q). For the others: equal lists at all resolutions, and numbers within both bounds. `delayed_events.csv` by another route.
+//! Oracle: dw/dq = [w(q) − w(q − 1)]/c, w = e^{t/τ}, c = (1 − 1/k)/(1 − 1/β): a tip under one load starts once, has one kink at q = 1, where w = 1 + (1/c − 1)e^{1/c},
+//! and never stops (w grows with q). For the others: equal lists at all resolutions, and numbers within both bounds. `delayed_events.csv` by another route.
 //!
 //! Tolerance: the bounds that the program states; they must be below 1e-6 of the times.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use rayon::prelude::*;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::crack::delayed::{EventKind, GrowthProblem, LoadHistory, LoadSegment, Resolution, Trajectory, Wave, trajectory};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::CreepTerm;
@@ -45,7 +45,7 @@ fn interface(length: f64) -> Interface {
 
 /// A one-term crack under one load k = K²/(2ΔγE0): onset and kink, and nothing else.
 fn held(beta: f64, ratio: f64, time: f64, until: f64, lines_per_zone: u32) -> Result<(), String> {
-    let material = Material::standard_solid(1.0, beta, time).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, beta, time).unwrap();
     let problem = GrowthProblem::new(&material, interface(1.0), 0.0).unwrap();
     let history = LoadHistory::constant((2.0 * ratio).sqrt()).unwrap();
     let c = (1.0 - 1.0 / ratio) / (1.0 - 1.0 / beta);
@@ -101,7 +101,7 @@ fn slow_arrests_are_not_undone() {
             let times: Vec<f64> = (0..terms).map(|_| draw.log_between(1e-3, 1.0)).collect();
             let creep: Vec<CreepTerm> =
                 times.iter().map(|time| CreepTerm { compliance: (1.0 - 1.0 / beta) / terms as f64, retardation_time: *time }).collect();
-            let material = Material::from_creep(beta, &creep, None).unwrap();
+            let material = PlaneMaterial::from_creep(beta, &creep, None).unwrap();
             let zone = if draw.chance(0.5) {
                 ProcessZone::Growing { cohesive_stress: 1.0, factor: 1.0 }
             } else {
@@ -154,7 +154,7 @@ fn the_kinks_of_100301_are_within_their_bounds_at_any_accuracy() {
 /// The library at the fixed lines that scenes took: a third kink of `delayed_100301` came and went with them.
 #[test]
 fn the_events_of_100301_are_the_same_at_any_lines() {
-    let material = Material::standard_solid(1.0, 9.235_390_130_137_661, 1.0).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 9.235_390_130_137_661, 1.0).unwrap();
     let problem = GrowthProblem::new(&material, interface(0.437_010_445_719_176_2), 0.0).unwrap();
     let unit = std::f64::consts::SQRT_2;
     let [start, peak] = [0.406_618_018_414_949_66, 2.600_073_030_506_302];
@@ -197,7 +197,7 @@ fn roundings_of_the_zone_change_no_event() {
 /// A long run of cycles and a hold of a million retardation times end, and hold no more pieces than lie in the greatest zone.
 #[test]
 fn thousands_of_cycles_and_a_very_long_hold_end_within_memory() {
-    let material = Material::standard_solid(1.0, 10.0, 1.0).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 10.0, 1.0).unwrap();
     let problem = GrowthProblem::new(&material, interface(1.0), 0.0).unwrap();
     let unit = std::f64::consts::SQRT_2;
     let most = |count: u32| {

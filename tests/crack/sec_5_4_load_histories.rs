@@ -12,7 +12,7 @@
 //! computed trajectory; closed forms at rest; invariances.
 //!
 //! Tolerance: 3e-4 for the closure by trapezia over a trajectory sampled at 4000 times, some tens a zone (their own error); 1e-4 of a zone against
-//! 192 raw steps, whose error falls at second order; 1e-9 for the place of a kink, which is landed on; rounding (1e-11) for invariances; error bars must hold.
+//! 192 raw steps, whose error falls at second order; 1e-9 for the place of a kink, which is landed on; rounding (1e-11) for invariances; error bounds must hold.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
@@ -27,24 +27,24 @@ use viscotack::elastic::PureShearStrip;
 use viscotack::elastic::plane_modulus::PlaneState;
 use viscotack::elastic::pure_shear_strip::SidewaysStrain;
 use viscotack::material::CreepTerm;
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 
 const ZONE: f64 = 2.3e-6;
 const WORK: f64 = 0.31;
 
-fn problem(material: &Material) -> GrowthProblem<'_> {
+fn problem(material: &PlaneMaterial) -> GrowthProblem<'_> {
     let process_zone = ProcessZone::Constant { length: ZONE };
     GrowthProblem::new(material, Interface { work_of_adhesion: WORK, process_zone, body: CrackBody::AgainstRigid }, 0.0).unwrap()
 }
 
-fn one_term() -> Material {
-    Material::standard_solid(7.3e5, 7.3e6, 0.43).unwrap()
+fn one_term() -> PlaneMaterial {
+    PlaneMaterial::standard_solid(7.3e5, 7.3e6, 0.43).unwrap()
 }
 
-fn three_terms() -> Material {
+fn three_terms() -> PlaneMaterial {
     let terms = [(0.9e-6, 0.021), (0.35e-6, 0.43), (0.12e-6, 7.9)];
     let terms = terms.map(|(compliance, retardation_time)| CreepTerm { compliance, retardation_time });
-    Material::from_creep(1.9e7, &terms, None).unwrap()
+    PlaneMaterial::from_creep(1.9e7, &terms, None).unwrap()
 }
 
 fn names(found: &Trajectory) -> Vec<&'static str> {
@@ -90,7 +90,7 @@ fn even_times(until: f64, count: u32) -> Vec<f64> {
 }
 
 /// w/Δγ at the last sample by quadrature of the reduced memory integral over the sampled trajectory: trapezia in J.
-fn work_ratio(material: &Material, found: &Trajectory, index: usize) -> f64 {
+fn work_ratio(material: &PlaneMaterial, found: &Trajectory, index: usize) -> f64 {
     let now = &found.samples[index];
     let place = now.growth.unwrap().value;
     let mut sum = now.intensity / material.glassy_modulus();
@@ -356,7 +356,7 @@ fn units_split_terms_and_split_holds_change_nothing() {
     let reference = run(&base, &plain, &times);
     assert_sound(&reference);
     // MPa, mm, ms: E in N/mm², Δγ in N/mm, K in N/mm^1.5.
-    let in_mm = Material::from_creep(
+    let in_mm = PlaneMaterial::from_creep(
         19.0,
         &material
             .creep_terms()
@@ -386,7 +386,7 @@ fn units_split_terms_and_split_holds_change_nothing() {
     let half = CreepTerm { compliance: 0.5 * terms[1].compliance, retardation_time: terms[1].retardation_time * (1.0 + 1e-15) };
     terms[1].compliance *= 0.5;
     terms.push(half);
-    let split = Material::from_creep(1.9e7, &terms, None).unwrap();
+    let split = PlaneMaterial::from_creep(1.9e7, &terms, None).unwrap();
     let split = run(&problem(&split), &plain, &times);
     // Two halves under K against one half under K√2.
     let two = GrowthProblem::new(
@@ -431,7 +431,7 @@ fn units_split_terms_and_split_holds_change_nothing() {
 }
 
 #[test]
-fn error_bars_hold_against_a_finer_run_over_random_histories() {
+fn error_bounds_hold_against_a_finer_run_over_random_histories() {
     let mut random = Random(4207);
     let (mut checked, mut widest) = (0, 0.0_f64);
     for _ in 0..120 {
@@ -473,7 +473,7 @@ fn error_bars_hold_against_a_finer_run_over_random_histories() {
             checked += 1;
         }
     }
-    println!("{checked} places, widest bar {widest:.1e}");
+    println!("{checked} places, widest bound {widest:.1e}");
     assert!(checked > 200);
 }
 

@@ -16,9 +16,9 @@ use viscotack::crack::delayed::{
     EventKind, GrowthProblem, LoadHistory, LoadSegment, Onset, Resolution, Trajectory, Wave, onset, trajectory,
 };
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
-use viscotack::{Estimate, Material, Refusal};
+use viscotack::{Estimate, PlaneMaterial, Refusal};
 
-fn problem(material: &Material, work_of_adhesion: f64, length: f64) -> GrowthProblem<'_> {
+fn problem(material: &PlaneMaterial, work_of_adhesion: f64, length: f64) -> GrowthProblem<'_> {
     let process_zone = ProcessZone::Constant { length };
     GrowthProblem::new(material, Interface { work_of_adhesion, process_zone, body: CrackBody::TwoHalves }, 0.0).unwrap()
 }
@@ -114,7 +114,7 @@ fn onset_within_rounding_of_both_limits_is_a_number_or_none() {
 
 #[test]
 fn rest_of_many_cycles_is_one_piece_of_memory() {
-    let material = Material::standard_solid(7.3e5, 7.3e6, 0.43).unwrap();
+    let material = PlaneMaterial::standard_solid(7.3e5, 7.3e6, 0.43).unwrap();
     let problem = problem(&material, 0.3, 1e-6);
     let upper = 0.9 * problem.relaxed_limit();
     let cycles = LoadSegment::Cycles { count: 5000, period: 0.1, lower: 0.0, upper, wave: Wave::Triangle };

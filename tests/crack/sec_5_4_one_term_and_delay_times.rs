@@ -13,7 +13,7 @@
 //! theory, which shares nothing with the stepper but the material.
 //!
 //! Tolerance: 1e-14 for delays times the condition of the creep sum in its own given doubles; 1e-10 for trajectories at 256 lines, which
-//! leave errors of third order; 1e-10 for late speeds. Error bars must hold throughout.
+//! leave errors of third order; 1e-10 for late speeds. Error bounds must hold throughout.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
@@ -21,18 +21,18 @@ use crate::support::physics;
 
 use physics::relative;
 use support::{Row, reference_materials, reference_rows};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::crack::delayed::trajectory::tends_to;
 use viscotack::crack::delayed::{EventKind, GrowthProblem, LoadHistory, Onset, Regime, Resolution, onset, regime, trajectory};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 
 const ZONE: f64 = 3.7e-6;
 
-fn problem<'a>(material: &'a Material, row: &Row) -> GrowthProblem<'a> {
+fn problem<'a>(material: &'a PlaneMaterial, row: &Row) -> GrowthProblem<'a> {
     with_work(material, row.number("work_of_adhesion"))
 }
 
-fn with_work(material: &Material, work_of_adhesion: f64) -> GrowthProblem<'_> {
+fn with_work(material: &PlaneMaterial, work_of_adhesion: f64) -> GrowthProblem<'_> {
     let process_zone = ProcessZone::Constant { length: ZONE };
     GrowthProblem::new(material, Interface { work_of_adhesion, process_zone, body: CrackBody::AgainstRigid }, 0.0).unwrap()
 }
@@ -159,7 +159,7 @@ fn late_speed_is_the_steady_opening_speed_for_1_2_and_12_terms() {
 
 #[test]
 fn kink_is_landed_on_and_both_speeds_are_right() {
-    let material = Material::standard_solid(6.5e5, 1.9e7, 0.37).unwrap();
+    let material = PlaneMaterial::standard_solid(6.5e5, 1.9e7, 0.37).unwrap();
     let problem = with_work(&material, 0.23);
     let intensity = problem.relaxed_limit() * 2.1;
     let history = LoadHistory::constant(intensity).unwrap();

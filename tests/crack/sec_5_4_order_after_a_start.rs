@@ -15,20 +15,20 @@
 //!
 //! Tolerance: a term whose place ẋ₀τ_j is less than a line errs by ẋ₀τ_j/(δm²), the others by 1/m³: so the order of single cases scatters about 3
 //! and below, their mean is above 2; the worst place of all falls by four for each halving.
-//! Bars must hold throughout.
+//! Bounds must hold throughout.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
 
 use support::reference_materials;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::crack::delayed::trajectory::tends_to;
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Onset, Resolution, onset, trajectory};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 
 const ZONE: f64 = 1.3e-6;
 
-fn problem(material: &Material) -> GrowthProblem<'_> {
+fn problem(material: &PlaneMaterial) -> GrowthProblem<'_> {
     let process_zone = ProcessZone::Constant { length: ZONE };
     GrowthProblem::new(material, Interface { work_of_adhesion: 0.17, process_zone, body: CrackBody::AgainstRigid }, 0.0).unwrap()
 }

@@ -1,7 +1,7 @@
 //! Source: thesis Sec 5.4 with a load that changes slowly: growth over up to 1e6 process zones, and what it costs.
 //!
 //! Goal: quasi-steady growth over very many zones is followed in few steps and bounded memory; it agrees with stepping every zone; the
-//! zone may follow the load; the error bars hold. Counters of the stepper are pinned: linear in steps and terms.
+//! zone may follow the load; the error bounds hold. Counters of the stepper are pinned: linear in steps and terms.
 //!
 //! ```text
 //!   K ╱ slowly            v(t) ≈ v_steady(K(t)), to first order in the load's rate corrected
@@ -11,10 +11,10 @@
 //! Oracle: a run whose lines are so many that it steps every zone (its own threshold falls with the square of the lines); the steady theory at
 //! the end of a slow ramp, up to one part in the number of zones.
 //!
-//! Tolerance: the error bars themselves; 1e-4 of a place where both runs are bars; 20 zones' worth for the steady speed.
+//! Tolerance: the error bounds themselves; 1e-4 of a place where both runs are bounds; 20 zones' worth for the steady speed.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::crack::delayed::stepper::GrowthWork;
 use viscotack::crack::delayed::trajectory::tends_to;
 use viscotack::crack::delayed::{EventKind, GrowthProblem, LoadHistory, LoadSegment, Resolution, TipState, Wave, trajectory};
@@ -27,19 +27,19 @@ const WORK: f64 = 0.7;
 const PINNED_HELD: (u64, u64) = (2814, 129);
 const PINNED_CYCLES: (u64, u64) = (9056, 1095);
 
-fn one_term() -> Material {
-    Material::standard_solid(1.1e6, 1.1e7, 0.3).unwrap()
+fn one_term() -> PlaneMaterial {
+    PlaneMaterial::standard_solid(1.1e6, 1.1e7, 0.3).unwrap()
 }
 
-fn twelve_terms() -> Material {
+fn twelve_terms() -> PlaneMaterial {
     let terms: Vec<CreepTerm> = (0..12)
         .map(|index| CreepTerm { compliance: 7e-8 * 1.1_f64.powi(index), retardation_time: 0.9 * 10f64.powf(-0.5 * f64::from(index)) })
         .collect();
-    Material::from_creep(2.9e7, &terms, None).unwrap()
+    PlaneMaterial::from_creep(2.9e7, &terms, None).unwrap()
 }
 
 /// The zone follows the load, or is the length that it has at 0.6 of the glassy limit.
-fn problem(material: &Material, follows: bool) -> GrowthProblem<'_> {
+fn problem(material: &PlaneMaterial, follows: bool) -> GrowthProblem<'_> {
     let intensity = 0.6 * (2.0 * WORK * material.glassy_modulus()).sqrt();
     let cohesive_stress = intensity / (std::f64::consts::TAU * LENGTH).sqrt();
     let process_zone = ProcessZone::Growing { cohesive_stress, factor: 1.0 };
@@ -115,7 +115,10 @@ fn gliding_agrees_with_stepping_every_zone() {
                         assert!(off <= 1e-4 * right.value.abs(), "{name} at {}: {left:?} {right:?}", one.time);
                     }
                 }
-                println!("{from} to {to}, follows: {follows}: {worst:.2} of the bars, {} and {} steps", coarse.work.steps, fine.work.steps);
+                println!(
+                    "{from} to {to}, follows: {follows}: {worst:.2} of the bounds, {} and {} steps",
+                    coarse.work.steps, fine.work.steps
+                );
             }
         }
     }
@@ -167,8 +170,8 @@ fn counters_of_the_stepper_are_pinned() {
     // The same creep in two terms with all but equal times.
     let half = 0.5 * (1.0 / 1.1e6 - 1.0 / 1.1e7);
     let terms = [0.3, 0.3 * (1.0 + 1e-9)].map(|retardation_time| CreepTerm { compliance: half, retardation_time });
-    let doubled = Material::from_creep(1.1e7, &terms, None).unwrap();
-    let run = |material: &Material, count: u32, lines_per_zone: u32| {
+    let doubled = PlaneMaterial::from_creep(1.1e7, &terms, None).unwrap();
+    let run = |material: &PlaneMaterial, count: u32, lines_per_zone: u32| {
         let problem = problem(material, true);
         let (lower, upper) = (0.1 * problem.glassy_limit(), 0.55 * problem.glassy_limit());
         let cycles = LoadSegment::Cycles { count, period: 0.4, lower, upper, wave: Wave::Triangle };

@@ -15,12 +15,11 @@ use crate::support::{Row, reference_rows};
 use nalgebra::Complex;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use viscotack::Material;
 use viscotack::finite_range::law::{Attraction, Law};
 use viscotack::finite_range::line::{
     Control, Harmonic, Modulus, Numbers, Problem, Profile, Request, Roughness, Scales, SteadyState, every, modulus_of, rough, solve,
 };
-use viscotack::material::CreepTerm;
+use viscotack::material::{CreepTerm, PlaneMaterial};
 use viscotack::sliding::layer::{Backing, Layer};
 
 fn list(text: &str) -> Vec<f64> {
@@ -87,7 +86,7 @@ fn sliding_line(row: &Row) -> (Problem, Scales) {
         "mean_pressure" => Control::MeanPressure(row.number("held") / scales.pressure),
         _ => Control::MeanGap(row.number("held") / scales.height),
     };
-    let modulus = modulus_of(&Material::from_creep(beta * relaxed, &terms, None).unwrap()).unwrap();
+    let modulus = modulus_of(&PlaneMaterial::from_creep(beta * relaxed, &terms, None).unwrap()).unwrap();
     let profile = Profile::harmonics(&harmonics).unwrap();
     (Problem { profile, modulus, speed: scales.frequency(row.number("speed")), attraction, layer, control }, scales)
 }
@@ -165,7 +164,7 @@ fn a_rough_surface_takes_few_products() {
     let terms = [CreepTerm { compliance: 0.9, retardation_time: 1.0 }];
     let problem = Problem {
         profile: rough(&roughness, false).unwrap(),
-        modulus: modulus_of(&Material::from_creep(10.0, &terms, None).unwrap()).unwrap(),
+        modulus: modulus_of(&PlaneMaterial::from_creep(10.0, &terms, None).unwrap()).unwrap(),
         speed: 1.0,
         attraction: Attraction::new(Law::Exponential, std::f64::consts::TAU * 0.008, 0.1).unwrap(),
         layer: None,

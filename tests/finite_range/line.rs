@@ -19,7 +19,7 @@ use nalgebra::Complex;
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::finite_range::law::{Attraction, Law};
 use viscotack::finite_range::line::{
     Control, Direction, FoldKind, Harmonic, Modulus, Numbers, Problem, Profile, ReachedBy, Request, SteadyState, follow, full_contact,
@@ -41,7 +41,7 @@ fn numbers(list: &Value) -> Vec<f64> {
 pub(crate) fn material(beta: f64, strengths: &[f64], times: &[f64]) -> Modulus {
     let terms: Vec<CreepTerm> =
         strengths.iter().zip(times).map(|(&compliance, &retardation_time)| CreepTerm { compliance, retardation_time }).collect();
-    modulus_of(&Material::from_creep(beta, &terms, None).unwrap()).unwrap()
+    modulus_of(&PlaneMaterial::from_creep(beta, &terms, None).unwrap()).unwrap()
 }
 
 fn standard(beta: f64) -> Modulus {

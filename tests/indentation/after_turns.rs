@@ -7,14 +7,15 @@
 //! Parameters: spheres under a force that falls before the edge turns: two solids of two terms, in Pa, m, s, moduli and sizes a thousandfold apart; quick
 //! retractions of soft solids (β = 9 and 20) from long contact.
 //!
-//! Oracle: K by the integral above over Δ(t) of the march's own path, from the time at which the edge passed the same place on its way out: it holds no
+//! Oracle: K by the integral above over Δ(t) of the integration's own path, from the time at which the edge passed the same place on its way out: it holds no
 //! state of the line and no panel. Events: a contact that is pulled off quickly is lost once.
 //!
-//! Tolerance: K to 1e-6 (the integral interpolates a path of tolerance 1e-7 by cubics; 7e-8 is the largest difference seen); before panels were graded towards a turn it was 3e-3 off.
+//! Tolerance: K to 1e-6 (the integral interpolates a path of tolerance 1e-7 by cubics; 7e-8 is the largest difference seen); before panels were graded towards a turn it
+//! was 3e-3 off.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use viscotack::Material;
-use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, PathPoint, Profile, Trace, march};
+use viscotack::PlaneMaterial;
+use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, PathPoint, Profile, Trace, integrate};
 use viscotack::material::RelaxationTerm;
 
 /// The cubic through four points around the piece `index..index + 1`, at `x`.
@@ -30,7 +31,7 @@ fn cubic(points: &[(f64, f64)], index: usize, x: f64) -> f64 {
 }
 
 /// K at the end of a path that went out to a turn and came back, all after the last corner of the history.
-fn by_residence(material: &Material, radius: f64, path: &[PathPoint]) -> Option<f64> {
+fn by_residence(material: &PlaneMaterial, radius: f64, path: &[PathPoint]) -> Option<f64> {
     let last = path.last()?;
     let places: Vec<(f64, f64)> = path.iter().map(|point| (point.time, point.contact_radius)).collect();
     let depths: Vec<(f64, f64)> = path.iter().map(|point| (point.time, point.penetration)).collect();
@@ -60,8 +61,8 @@ fn by_residence(material: &Material, radius: f64, path: &[PathPoint]) -> Option<
 }
 
 /// Instants of the way back, each against its integral; how many there were.
-fn way_back(name: &str, material: &Material, problem: &IndentationProblem, radius: f64) -> usize {
-    let trace = march(material, problem, 1e-7).unwrap();
+fn way_back(name: &str, material: &PlaneMaterial, problem: &IndentationProblem, radius: f64) -> usize {
+    let trace = integrate(material, problem, 1e-7).unwrap();
     let corner = problem.history.segments[0].duration;
     let mut seen = 0;
     for &kept in &trace.kept {
@@ -86,9 +87,9 @@ fn way_back(name: &str, material: &Material, problem: &IndentationProblem, radiu
     seen
 }
 
-fn two_terms(relaxed: f64, moduli: [f64; 2], times: [f64; 2]) -> Material {
+fn two_terms(relaxed: f64, moduli: [f64; 2], times: [f64; 2]) -> PlaneMaterial {
     let term = |k: usize| RelaxationTerm { modulus: moduli[k], relaxation_time: times[k] };
-    Material::from_relaxation(relaxed, &[term(0), term(1)]).unwrap()
+    PlaneMaterial::from_relaxation(relaxed, &[term(0), term(1)]).unwrap()
 }
 
 #[test]
@@ -121,17 +122,17 @@ fn lost_once(name: &str, trace: &Trace, most: u64) {
 #[test]
 fn quick_retractions_are_lost_once_at_any_tolerance() {
     let material =
-        Material::from_relaxation(85.759_463_522_668_8, &[RelaxationTerm { modulus: 689.516_886, relaxation_time: 0.034_291_548 }])
+        PlaneMaterial::from_relaxation(85.759_463_522_668_8, &[RelaxationTerm { modulus: 689.516_886, relaxation_time: 0.034_291_548 }])
             .unwrap();
     let history = History::penetration(4.892_439_62e-7).ramp(2.446_219_81e-7, 1.400_003_81e-5);
     let adhesion = Some(Adhesion { work_of_adhesion: 1.457_923_95e-7, process_zone: 2.722_195_95e-8 });
     let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.535_268_49e-4 }, adhesion, history).relaxed();
     for tolerance in [0.03, 3e-3, 3e-4, 3e-5, 3e-7, 3e-9] {
-        let trace = march(&material, &problem, tolerance).unwrap();
+        let trace = integrate(&material, &problem, tolerance).unwrap();
         lost_once(&format!("relaxed, tolerance {tolerance:e}"), &trace, 12_000);
     }
     let material =
-        Material::from_relaxation(0.013_422_5, &[RelaxationTerm { modulus: 0.120_955_304_454, relaxation_time: 1.355_295_035_16 }])
+        PlaneMaterial::from_relaxation(0.013_422_5, &[RelaxationTerm { modulus: 0.120_955_304_454, relaxation_time: 1.355_295_035_16 }])
             .unwrap();
     let history = History::penetration(0.0)
         .ramp(0.220_428_762_782_517_77, 0.011_708_218_046_759_741)
@@ -140,7 +141,7 @@ fn quick_retractions_are_lost_once_at_any_tolerance() {
     let adhesion = Some(Adhesion { work_of_adhesion: 7.036_031_643_717_781e-5, process_zone: 0.016_084_778_045_700_285 });
     let problem = IndentationProblem::new(Profile::Paraboloid { radius: 43.635_136_983_429_11 }, adhesion, history);
     for tolerance in [0.03, 3e-3, 3e-4, 3e-5, 3e-6, 3e-7, 1e-8] {
-        let trace = march(&material, &problem, tolerance).unwrap();
+        let trace = integrate(&material, &problem, tolerance).unwrap();
         lost_once(&format!("after a dwell, tolerance {tolerance:e}"), &trace, 12_000);
     }
 }

@@ -19,7 +19,7 @@ use crate::support;
 
 use std::collections::BTreeMap;
 use support::{Row, reference_rows};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Contact, Profile, Springs, SurfaceFields, Sweep};
 use viscotack::material::CreepTerm;
 
@@ -28,14 +28,14 @@ fn numbers(text: &str) -> Vec<f64> {
 }
 
 /// Glassy modulus; J_j,τ_j; …
-fn material(text: &str) -> Material {
+fn material(text: &str) -> PlaneMaterial {
     let (glassy, terms) = text.split_once(';').unwrap();
     let terms: Vec<CreepTerm> =
         terms.split(';').map(numbers).map(|pair| CreepTerm { compliance: pair[0], retardation_time: pair[1] }).collect();
-    Material::from_creep(glassy.parse().unwrap(), &terms, None).unwrap()
+    PlaneMaterial::from_creep(glassy.parse().unwrap(), &terms, None).unwrap()
 }
 
-/// The states of a history at the ends of its stretches.
+/// The states of a history at the ends of its segments.
 fn walked<'a>(row: &Row, springs: &'a Springs) -> Vec<Contact<'a>> {
     let size = row.number("size");
     let profile = if row.text("shape") == "cone" { Profile::Cone { slope: size } } else { Profile::Paraboloid { radius: size } };
@@ -48,8 +48,8 @@ fn walked<'a>(row: &Row, springs: &'a Springs) -> Vec<Contact<'a>> {
     .unwrap();
     path[1..]
         .iter()
-        .map(|stretch| {
-            contact = contact.moved(stretch[0], stretch[1], stretch[2], Sweep::Linear).unwrap();
+        .map(|segment| {
+            contact = contact.moved(segment[0], segment[1], segment[2], Sweep::Linear).unwrap();
             contact.clone()
         })
         .collect()

@@ -15,7 +15,7 @@
 
 use crate::support;
 
-use support::indentation::{SPHERE, WORK, ZONE, marched, rubber, three_terms};
+use support::indentation::{SPHERE, WORK, ZONE, integrated, rubber, three_terms};
 use viscotack::indentation::{EventKind, History, Start, Trace, elastic_contact};
 
 /// The changes of a quantity over two halvings of the step, and its last value.
@@ -31,7 +31,7 @@ fn kept(trace: &Trace, index: usize) -> viscotack::indentation::PathPoint {
 #[test]
 fn first_touch_and_the_two_elastic_limits_of_approach() {
     for (speed, modulus) in [(1e5, 10.0), (1e-9, 1.0)] {
-        let trace = marched(&rubber(), History::penetration(0.0).at_speed(0.01, speed), Start::Untouched, 1e-3);
+        let trace = integrated(&rubber(), History::penetration(0.0).at_speed(0.01, speed), Start::Untouched, 1e-3);
         let first = elastic_contact(&SPHERE, 10.0, WORK, ZONE, 0.0).unwrap();
         assert!((kept(&trace, 0).contact_radius / first.contact_radius - 1.0).abs() < 1e-10);
         for index in 1..=4 {
@@ -52,7 +52,7 @@ fn cycles_converge_and_dissipate() {
             let ends: Vec<[f64; 3]> = [1e-3, 1e-4, 1e-5]
                 .iter()
                 .map(|&tolerance| {
-                    let trace = marched(&material, history.clone(), Start::Untouched, tolerance);
+                    let trace = integrated(&material, history.clone(), Start::Untouched, tolerance);
                     assert!(trace.balance_defect().unwrap() < 1e-4);
                     let turn = kept(&trace, 4);
                     [turn.contact_radius, turn.force, trace.largest_tension().unwrap()]
@@ -75,7 +75,7 @@ fn re_advance_past_the_relaxed_edge() {
     let ends: Vec<[f64; 3]> = [1e-3, 1e-4, 1e-5]
         .iter()
         .map(|&tolerance| {
-            let trace = marched(&rubber(), history.clone(), Start::Relaxed, tolerance);
+            let trace = integrated(&rubber(), history.clone(), Start::Relaxed, tolerance);
             assert!(trace.balance_defect().unwrap() < 1e-4);
             let radii: Vec<f64> = (0..trace.kept.len()).map(|k| kept(&trace, k).contact_radius).collect();
             println!("  radii {radii:?}");
@@ -97,7 +97,7 @@ fn re_advance_past_the_relaxed_edge() {
 #[test]
 fn steps_holds_and_touching_again() {
     let history = History::penetration(0.01).step(0.03).hold(500.0).step(-0.02).hold(1.0).at_speed(0.03, 0.05).hold(500.0);
-    let trace = marched(&rubber(), history, Start::Relaxed, 1e-3);
+    let trace = integrated(&rubber(), history, Start::Relaxed, 1e-3);
     let soft = elastic_contact(&SPHERE, 1.0, WORK, ZONE, 0.03).unwrap();
     let held = trace.path.iter().rfind(|point| point.time <= 500.0 && (point.penetration - 0.03).abs() < 1e-12).unwrap();
     println!("held {} soft {}", held.contact_radius, soft.contact_radius);

@@ -1,6 +1,6 @@
 //! Source: Eq 4.9 and Secs 4.2–4.4 of the thesis, solved by panels of the edge's path (`viscotack::indentation::by_panels`).
 //!
-//! Goal: the room beside the march meets states of an independent program, agrees with the march, bounds its own errors, and its work is pinned.
+//! Goal: the room beside the integration meets states of an independent program, agrees with the integration, bounds its own errors, and its work is pinned.
 //!
 //! ```text
 //!   a, F, t_end, F_off of relaxed retractions (1, 2, 6 terms; δ/R 1e-2 … 2e-5), approach–dwell–retract, re-advance, two cycles, no adhesion
@@ -13,9 +13,11 @@
 
 use serde_json::Value;
 use std::f64::consts::TAU;
-use viscotack::Material;
-use viscotack::indentation::by_panels::{End, Outcome, PanelOptions, march_by_panels, solve_by_panels};
-use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Instant, Oscillation, Profile, march, run, surface_of};
+use viscotack::PlaneMaterial;
+use viscotack::indentation::by_panels::{End, Outcome, PanelOptions, integrate_by_panels, solve_by_panels};
+use viscotack::indentation::{
+    Adhesion, Controlled, History, IndentationProblem, Instant, Oscillation, Profile, integrate, run, surface_of,
+};
 use viscotack::material::CreepTerm;
 
 fn states() -> Value {
@@ -32,11 +34,11 @@ fn value(state: &Value, name: &str) -> (f64, f64) {
     (state[name]["value"].as_f64().unwrap(), state[name]["err"].as_f64().unwrap())
 }
 
-fn material(state: &Value) -> Material {
+fn material(state: &Value) -> PlaneMaterial {
     let inputs = &state["inputs"]["material"];
     let list = |name: &str| inputs[name].as_array().unwrap().iter().map(|value| value.as_f64().unwrap()).collect::<Vec<_>>();
     let terms = list("J").into_iter().zip(list("tau")).map(|(compliance, retardation_time)| CreepTerm { compliance, retardation_time });
-    Material::from_creep(inputs["E_inf"].as_f64().unwrap(), &terms.collect::<Vec<_>>(), None).unwrap()
+    PlaneMaterial::from_creep(inputs["E_inf"].as_f64().unwrap(), &terms.collect::<Vec<_>>(), None).unwrap()
 }
 
 fn problem(state: &Value, history: History) -> IndentationProblem {
@@ -75,8 +77,8 @@ fn relaxed_retractions_meet_the_oracle() {
     for name in RETRACTIONS {
         let state = &states[name];
         let (material, problem) = (material(state), retraction(state));
-        assert_retraction(name, state, &march_by_panels(&material, &problem, FINE, &[]).unwrap(), 2e-9, 2e-8);
-        assert_retraction(name, state, &march_by_panels(&material, &problem, USUAL, &[]).unwrap(), 2e-7, 2e-6);
+        assert_retraction(name, state, &integrate_by_panels(&material, &problem, FINE, &[]).unwrap(), 2e-9, 2e-8);
+        assert_retraction(name, state, &integrate_by_panels(&material, &problem, USUAL, &[]).unwrap(), 2e-7, 2e-6);
     }
 }
 
@@ -86,7 +88,7 @@ fn work_is_pinned() {
     let states = states();
     let pinned = PINNED;
     for (name, (closures, nodes)) in RETRACTIONS.iter().zip(pinned) {
-        let outcome = march_by_panels(&material(&states[name]), &retraction(&states[name]), USUAL, &[]).unwrap();
+        let outcome = integrate_by_panels(&material(&states[name]), &retraction(&states[name]), USUAL, &[]).unwrap();
         let got = (outcome.closures, outcome.kernel_nodes);
         assert!(got.0 <= closures && got.1 <= nodes, "{name}: {got:?} is more than {:?}", (closures, nodes));
     }
@@ -110,7 +112,7 @@ fn approach_dwell_and_retraction_meet_the_oracle() {
     let (speed, most, dwell) = (number(state, "V"), number(state, "Delta_max"), number(state, "dwell"));
     let history = History::penetration(0.0).at_speed(most, speed).hold(dwell).at_speed(-1.0, speed);
     let loaded = most / speed;
-    let outcome = march_by_panels(&material(state), &problem(state, history), FINE, &[loaded, loaded + dwell]).unwrap();
+    let outcome = integrate_by_panels(&material(state), &problem(state, history), FINE, &[loaded, loaded + dwell]).unwrap();
     assert_near("a_jumpin", outcome.start.contact_radius, value(state, "a_jumpin"), 2e-13);
     assert_rows(state, &outcome, &["load_end", "dwell_end"], 2e-9);
     let last = outcome.ends.last().unwrap();
@@ -125,7 +127,7 @@ fn an_edge_that_advances_again_over_its_first_place_meets_the_oracle() {
     let state = &states["readvance"];
     let (speed, reverse, depth) = (number(state, "V"), number(state, "t_reverse"), number(state, "Delta_B"));
     let history = History::penetration(depth).ramp(depth - speed * reverse, reverse).ramp(depth - speed * reverse + 8.0 * speed, 8.0);
-    let outcome = march_by_panels(&material(state), &problem(state, history).relaxed(), FINE, &[2.0, 3.0, 5.0, 7.0, 10.0]).unwrap();
+    let outcome = integrate_by_panels(&material(state), &problem(state, history).relaxed(), FINE, &[2.0, 3.0, 5.0, 7.0, 10.0]).unwrap();
     assert_eq!(outcome.end, End::History);
     assert_rows(state, &outcome, &["rev", "t3", "t5", "t7", "t10"], 2e-9);
 }
@@ -138,7 +140,7 @@ fn two_cycles_meet_the_oracle() {
     let history = History::penetration(0.022).oscillate(Oscillation::steady(amplitude, omega / TAU), 2.0 * TAU / omega);
     let keys = ["t0.981846", "t1.963692", "t2.945538", "t4.909229", "t6.872921", "end"];
     let instants = [1.0001, 2.0002, 3.0003, 5.0005, 7.0007, 16.0].map(|part| part * TAU / omega / 8.0);
-    let outcome = march_by_panels(&material(state), &problem(state, history).relaxed(), FINE, &instants).unwrap();
+    let outcome = integrate_by_panels(&material(state), &problem(state, history).relaxed(), FINE, &instants).unwrap();
     assert_rows(state, &outcome, &keys, 2e-8);
 }
 
@@ -148,8 +150,8 @@ fn press_hold_and_retraction_without_adhesion_meet_ting() {
     let state = &states["adhesiveless_hold_retract"];
     let history = History::penetration(0.0).ramp(0.03, 3.0).hold(2.0).ramp(0.03 - 0.015, 1.0);
     let options = PanelOptions { degree: 7, tolerance: 1e-9 };
-    let outcome = march_by_panels(&material(state), &problem(state, history), options, &[5.1, 5.3, 5.6]).unwrap();
-    // F is stationary in a; a to the tolerance of the march.
+    let outcome = integrate_by_panels(&material(state), &problem(state, history), options, &[5.1, 5.3, 5.6]).unwrap();
+    // F is stationary in a; a to the tolerance of the integration.
     for (row, key) in outcome.wanted.iter().zip(["t5.1", "t5.3", "t5.6"]) {
         assert_near(key, row.contact_radius, value(state, &format!("a_{key}")), 2e-9);
         assert_near(key, row.force, value(state, &format!("F_{key}")), 2e-11);
@@ -187,18 +189,18 @@ fn after_the_contact() {
     let state = &states[RETRACTIONS[0]];
     let history = History::penetration(0.03).ramp(-0.05, 20.0).ramp(-0.06, 5.0);
     let asked = IndentationProblem { instants_per_segment: 40, energies: true, ..problem(state, history) }.relaxed();
-    let (solved, marched) = (solve_by_panels(&material(state), &asked).unwrap(), run(&material(state), &asked).unwrap());
-    assert_eq!(solved.instants.len(), marched.instants.len());
+    let (solved, integrated) = (solve_by_panels(&material(state), &asked).unwrap(), run(&material(state), &asked).unwrap());
+    assert_eq!(solved.instants.len(), integrated.instants.len());
     assert_eq!(
         solved.events.iter().map(|event| event.kind).collect::<Vec<_>>(),
-        marched.events.iter().map(|event| event.kind).collect::<Vec<_>>()
+        integrated.events.iter().map(|event| event.kind).collect::<Vec<_>>()
     );
-    let scales = marched.march.summary.scales;
+    let scales = integrated.integration.summary.scales;
     let open = solved.instants.iter().position(|instant| instant.contact_radius.value == 0.0).unwrap();
     assert!(open > 10 && open < 60);
     let energy = |instant: &Instant| instant.energies.unwrap();
     let all = energy(solved.instants.last().unwrap())[3].value;
-    for (k, (ours, theirs)) in solved.instants.iter().zip(&marched.instants).enumerate() {
+    for (k, (ours, theirs)) in solved.instants.iter().zip(&integrated.instants).enumerate() {
         assert!((ours.penetration.value - theirs.penetration.value).abs() <= 1e-12);
         assert!((ours.force.value - theirs.force.value).abs() <= 2e-4 * scales[1], "{k}: {ours:?} {theirs:?}");
         for (one, other) in energy(ours).iter().zip(&energy(theirs)).enumerate().filter(|(which, _)| *which != 1).map(|(_, pair)| pair) {
@@ -212,9 +214,9 @@ fn after_the_contact() {
     assert!(solved.balance_defect.unwrap() < 1e-6, "{:?}", solved.balance_defect);
 }
 
-/// Pressure and displacement of a path by panels, against those of a march walked again in many pieces.
+/// Pressure and displacement of a path by panels, against those of an integration walked again in many pieces.
 #[test]
-fn surfaces_agree_with_those_of_the_march() {
+fn surfaces_agree_with_those_of_time_steps() {
     let states = states();
     let state = &states["readvance"];
     let asked =
@@ -269,7 +271,7 @@ fn the_power_balance_closes() {
     cases.push(of("oscillation_two_cycles", cycles, true, 1e-8));
     for (name, material, mut problem, share) in cases {
         problem.energies = true;
-        let outcome = march_by_panels(&material, &problem, USUAL, &[]).unwrap();
+        let outcome = integrate_by_panels(&material, &problem, USUAL, &[]).unwrap();
         let accounts = outcome.accounts();
         let balance = |k: usize| {
             let (energies, turned) = accounts[k];
@@ -289,17 +291,17 @@ fn the_power_balance_closes() {
     }
 }
 
-/// The march of this crate, another method, at its own tolerance.
+/// The integration of this crate, another method, at its own tolerance.
 #[test]
-fn the_march_agrees() {
+fn time_steps_agree() {
     let states = states();
     let state = &states["retract_1"];
     let (material, mut problem) = (material(state), retraction(state));
     problem.history = History::penetration(0.028).ramp(0.028 - 0.002 * 20.0, 20.0);
     problem.instants_per_segment = 4;
-    let trace = march(&material, &problem, 1e-5).unwrap();
+    let trace = integrate(&material, &problem, 1e-5).unwrap();
     let instants: Vec<f64> = trace.kept.iter().map(|&kept| trace.path[kept].time).collect();
-    let panels = march_by_panels(&material, &problem, USUAL, &instants).unwrap();
+    let panels = integrate_by_panels(&material, &problem, USUAL, &instants).unwrap();
     assert_eq!(panels.wanted.len(), instants.len());
     for (row, &kept) in panels.wanted.iter().zip(&trace.kept) {
         let point = &trace.path[kept];
@@ -316,7 +318,7 @@ fn a_constant_force_meets_the_oracle() {
     let pull = -3.0 * std::f64::consts::PI * number(state, "Dgamma");
     let history = History::penetration(number(state, "Delta_B")).then(Controlled::Force, pull, 0.0).then(Controlled::Force, pull, 1e4);
     for options in [USUAL, FINE] {
-        let outcome = march_by_panels(&material(state), &problem(state, history.clone()).relaxed(), options, &[]).unwrap();
+        let outcome = integrate_by_panels(&material(state), &problem(state, history.clone()).relaxed(), options, &[]).unwrap();
         let (first, last) = (outcome.jumps.first().unwrap(), outcome.ends.last().unwrap());
         assert_near("Delta0", first.penetration, value(state, "Delta0"), 2e-13);
         assert_near("a0", first.contact_radius, value(state, "a0"), 2e-13);
@@ -328,9 +330,9 @@ fn a_constant_force_meets_the_oracle() {
     }
 }
 
-/// Against the march of this crate: a frame, soft and stiff, and a start under a force.
+/// Against the integration of this crate: a frame, soft and stiff, and a start under a force.
 #[test]
-fn frames_and_forces_agree_with_the_march() {
+fn frames_and_forces_agree_with_time_steps() {
     let states = states();
     let state = &states["readvance"];
     let material = material(state);
@@ -342,9 +344,9 @@ fn frames_and_forces_agree_with_the_march() {
         let mut problem = problem(state, history).relaxed();
         problem.frame_stiffness = stiffness;
         problem.instants_per_segment = 3;
-        let trace = march(&material, &problem, 1e-5).unwrap();
+        let trace = integrate(&material, &problem, 1e-5).unwrap();
         let instants: Vec<f64> = trace.kept.iter().map(|&kept| trace.path[kept].time).collect();
-        let panels = march_by_panels(&material, &problem, USUAL, &instants).unwrap();
+        let panels = integrate_by_panels(&material, &problem, USUAL, &instants).unwrap();
         assert!(panels.wanted.len() + 1 >= instants.len(), "{panels:?}");
         for (row, &kept) in panels.wanted.iter().zip(&trace.kept) {
             let point = &trace.path[kept];
@@ -362,27 +364,27 @@ fn what_it_does_not_solve_is_refused_with_the_reason() {
     let material = material(state);
     let mut asked = problem(state, History::force(0.0).hold(1.0)).relaxed();
     asked.adhesion = None;
-    let refusal = march_by_panels(&material, &asked, USUAL, &[]).unwrap_err().to_string();
+    let refusal = integrate_by_panels(&material, &asked, USUAL, &[]).unwrap_err().to_string();
     assert!(refusal.contains("a force or a sudden step without adhesion"), "{refusal}");
     asked.history = History::penetration(0.02).step(0.01).hold(1.0);
-    let refusal = march_by_panels(&material, &asked, USUAL, &[]).unwrap_err().to_string();
+    let refusal = integrate_by_panels(&material, &asked, USUAL, &[]).unwrap_err().to_string();
     assert!(refusal.contains("a force or a sudden step without adhesion"), "{refusal}");
     let refusal = solve_by_panels(&material, &asked).unwrap_err().to_string();
     assert!(refusal.contains("without adhesion"), "{refusal}");
     let rimmed = Profile::FlatPunch { radius: 0.1 };
     let refusal =
-        march_by_panels(&material, &IndentationProblem { profile: rimmed, ..retraction(state) }, USUAL, &[]).unwrap_err().to_string();
+        integrate_by_panels(&material, &IndentationProblem { profile: rimmed, ..retraction(state) }, USUAL, &[]).unwrap_err().to_string();
     assert!(refusal.contains("shapes with a rim"), "{refusal}");
     // A sphere of which points are known up to 0.3: pressed to less than that, and beyond.
     let points: Vec<(f64, f64)> = (0..=30).map(|k| f64::from(k) * 0.01).map(|radius| (radius, 0.5 * radius * radius)).collect();
     let table = |depth: f64| {
         let pressed = problem(state, History::penetration(0.02).ramp(depth, 1.0)).relaxed();
-        march_by_panels(&material, &IndentationProblem { profile: Profile::table(&points).unwrap(), ..pressed }, USUAL, &[])
+        integrate_by_panels(&material, &IndentationProblem { profile: Profile::table(&points).unwrap(), ..pressed }, USUAL, &[])
     };
     let widest = table(0.022).unwrap().ends.iter().map(|row| row.contact_radius).fold(0.0, f64::max);
     assert!(widest < 0.3, "{widest}");
     let refusal = table(0.12).unwrap_err().to_string();
     assert!(refusal.contains("the radius of its last point"), "{refusal}");
     let lifted = problem(state, History::penetration(-0.5).hold(1.0)).relaxed();
-    assert!(march_by_panels(&material, &lifted, USUAL, &[]).is_err());
+    assert!(integrate_by_panels(&material, &lifted, USUAL, &[]).is_err());
 }

@@ -1,7 +1,7 @@
 //! Source: the promise that a run killed at any instant loses nothing (README, "Runs that take long").
 //!
 //! Goal: a history that panels solve goes on from a checkpoint to the same numbers, whichever panel it was taken before.
-//! Parameters: histories of every control, with energies, sudden steps, surfaces that touch again, cycles, a stretch that ends when stationary; three panels of each,
+//! Parameters: histories of every control, with energies, sudden steps, surfaces that touch again, cycles, a segment that ends when stationary; three panels of each,
 //! drawn from the first sixty; a chain of checkpoints through all paths. Oracle: the run that was never stopped.
 //! Tolerance: none, every number is compared bit by bit (events, cycles, path, bounds and work counters too); checkpoints go through bytes.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout, missing_docs)]
@@ -14,7 +14,7 @@ use viscotack::indentation::{
     Adhesion, Checkpoint, Controlled, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Segment, Watch, run,
     run_watched,
 };
-use viscotack::material::{Material, RelaxationTerm};
+use viscotack::material::{PlaneMaterial, RelaxationTerm};
 
 /// Counts panels, and takes a checkpoint before some of them.
 struct Taker {
@@ -51,9 +51,9 @@ impl Watch for Taker {
 /// A checkpoint is taken before some of so many first panels, which every case has.
 const FEWEST: f64 = 60.0;
 
-fn material() -> Material {
+fn material() -> PlaneMaterial {
     let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
-    Material::from_relaxation(2.0, &[term(3.0, 0.5), term(10.0, 0.02)]).unwrap()
+    PlaneMaterial::from_relaxation(2.0, &[term(3.0, 0.5), term(10.0, 0.02)]).unwrap()
 }
 
 fn problem(history: History) -> IndentationProblem {
@@ -147,10 +147,10 @@ fn a_checkpoint_of_another_problem_is_refused() {
     let taker = Taker::before(&[20]);
     solve_by_panels_watched(&material(), &problem, None, Some(&taker)).unwrap();
     let checkpoint = taker.checkpoints().pop().unwrap();
-    let refusal = |material: &Material, problem: &IndentationProblem| {
+    let refusal = |material: &PlaneMaterial, problem: &IndentationProblem| {
         solve_by_panels_watched(material, problem, Some(checkpoint.clone()), None).unwrap_err().to_string()
     };
-    let other = Material::from_relaxation(2.0, &[RelaxationTerm { modulus: 3.0, relaxation_time: 0.5 }]).unwrap();
+    let other = PlaneMaterial::from_relaxation(2.0, &[RelaxationTerm { modulus: 3.0, relaxation_time: 0.5 }]).unwrap();
     assert!(refusal(&other, &problem).contains("another problem"));
     let mut more = problem.clone();
     more.instants_per_segment = 7;
@@ -165,7 +165,7 @@ fn a_checkpoint_of_another_problem_is_refused() {
 /// An elastic contact on a power law, which `run` gives to the panels: watched and resumed through `run_watched`.
 #[test]
 fn a_run_that_panels_solve_is_watched_and_resumed() {
-    let elastic = Material::elastic(2.0).unwrap();
+    let elastic = PlaneMaterial::elastic(2.0).unwrap();
     let history = History::penetration(0.0).ramp(0.03, 1.0).ramp(0.01, 0.5).step(0.02).hold(0.2);
     let asked = IndentationProblem { profile: Profile::PowerLaw { coefficient: 2.0, exponent: 2.5 }, ..problem(history) };
     let whole = run(&elastic, &asked).unwrap();

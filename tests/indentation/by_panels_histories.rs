@@ -14,8 +14,8 @@
 
 use std::f64::consts::TAU;
 use viscotack::Estimate;
-use viscotack::Material;
-use viscotack::indentation::by_panels::{End, PanelOptions, march_by_panels, solve_by_panels};
+use viscotack::PlaneMaterial;
+use viscotack::indentation::by_panels::{End, PanelOptions, integrate_by_panels, solve_by_panels};
 use viscotack::indentation::{
     Adhesion, Controlled, Cycle, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Segment,
     elastic_contact, elastic_contact_of_radius, run,
@@ -31,21 +31,21 @@ fn sphere(zone: f64, history: History) -> IndentationProblem {
     IndentationProblem::new(SPHERE, Some(Adhesion { work_of_adhesion: WORK, process_zone: zone }), history)
 }
 
-fn rubber() -> Material {
-    Material::standard_solid(1.0, 10.0, 10.0).unwrap()
+fn rubber() -> PlaneMaterial {
+    PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap()
 }
 
-fn two_terms() -> Material {
+fn two_terms() -> PlaneMaterial {
     let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
-    Material::from_relaxation(2.0, &[term(3.0, 0.5), term(10.0, 0.02)]).unwrap()
+    PlaneMaterial::from_relaxation(2.0, &[term(3.0, 0.5), term(10.0, 0.02)]).unwrap()
 }
 
 /// Every number of panels and time steps within the bounds of both, and the same events.
-fn agree(name: &str, material: &Material, problem: &IndentationProblem) -> [IndentationSolution; 2] {
+fn agree(name: &str, material: &PlaneMaterial, problem: &IndentationProblem) -> [IndentationSolution; 2] {
     let (panels, steps) = (solve_by_panels(material, problem).unwrap(), run(material, problem).unwrap());
     assert!(panels.by_panels && panels.reached && !steps.by_panels, "{name}");
     assert_eq!(panels.instants.len(), steps.instants.len(), "{name}");
-    let scales = steps.march.summary.scales;
+    let scales = steps.integration.summary.scales;
     for (ours, theirs) in panels.instants.iter().zip(&steps.instants) {
         let pairs = [(ours.penetration, theirs.penetration), (ours.force, theirs.force), (ours.contact_radius, theirs.contact_radius)];
         for (quantity, (one, other)) in pairs.into_iter().enumerate() {
@@ -71,10 +71,11 @@ fn agree(name: &str, material: &Material, problem: &IndentationProblem) -> [Inde
 
 #[test]
 fn a_large_step_finds_the_elastic_equilibrium_of_its_depth() {
-    let elastic = Material::elastic(1.0).unwrap();
+    let elastic = PlaneMaterial::elastic(1.0).unwrap();
     for zone in [2e-3, 2e-4] {
         for (first, second) in [(0.01, 0.06), (0.02, 0.5), (0.01, 1.0), (0.01, 3.0), (0.5, 0.01), (3.0, 0.01)] {
-            let outcome = march_by_panels(&elastic, &sphere(zone, History::penetration(first).step(second)), USUAL, &[0.0, 0.0]).unwrap();
+            let outcome =
+                integrate_by_panels(&elastic, &sphere(zone, History::penetration(first).step(second)), USUAL, &[0.0, 0.0]).unwrap();
             assert_eq!(outcome.end, End::History);
             let (before, after) = (outcome.wanted[0], outcome.wanted[1]);
             for (row, depth) in [(before, first), (after, second)] {
@@ -92,7 +93,7 @@ fn a_large_step_finds_the_elastic_equilibrium_of_its_depth() {
 fn steps_there_and_back_leave_the_contact_as_it_was() {
     let history = History::penetration(0.03).step(0.05).step(0.03).hold(1.0);
     let problem = IndentationProblem { energies: true, ..sphere(1e-2, history) }.relaxed();
-    let outcome = march_by_panels(&rubber(), &problem, FINE, &[0.0, 0.0, 0.0]).unwrap();
+    let outcome = integrate_by_panels(&rubber(), &problem, FINE, &[0.0, 0.0, 0.0]).unwrap();
     let [before, there, back] = [0, 1, 2].map(|k| outcome.wanted[k]);
     println!("{before:?}\n{there:?}\n{back:?}");
     assert!(there.contact_radius > 1.03 * before.contact_radius && there.penetration.to_bits() == 0.05_f64.to_bits());
@@ -102,13 +103,13 @@ fn steps_there_and_back_leave_the_contact_as_it_was() {
 /// F dΔ + G_tip dA = dU: a body answers with E∞ at once, and a glassy solid dissipates nothing.
 #[test]
 fn nothing_is_dissipated_by_a_step() {
-    for (material, step) in [(rubber(), 0.035), (rubber(), 0.024), (two_terms(), 0.04), (Material::elastic(1.0).unwrap(), 0.0)] {
+    for (material, step) in [(rubber(), 0.035), (rubber(), 0.024), (two_terms(), 0.04), (PlaneMaterial::elastic(1.0).unwrap(), 0.0)] {
         let asked = sphere(1e-2, History::penetration(0.03).step(step)).relaxed();
         let problem = IndentationProblem { energies: true, ..asked };
         let solved = solve_by_panels(&material, &problem).unwrap();
         let ([stored, _, _, _], [after, _, external, dissipated]) =
             (solved.instants[0].energies.unwrap(), solved.instants[1].energies.unwrap());
-        let tip = solved.march.path.last().unwrap().energies.unwrap().tip_work;
+        let tip = solved.integration.path.last().unwrap().energies.unwrap().tip_work;
         println!("to {step}: U {} to {}, ∫F dΔ {}, ∫G dA {tip}, lost {}", stored.value, after.value, external.value, dissipated.value);
         let size = external.value.abs() + tip.abs();
         assert!((external.value + tip - (after.value - stored.value)).abs() < 1e-7 * size && dissipated.value.abs() < 1e-7 * size);
@@ -121,14 +122,15 @@ fn nothing_is_dissipated_by_a_step() {
     }
 }
 
-/// Pulled at once beyond what the glassy contact bears: it lets go where a ramp of no time does.
+/// Pulled at once beyond what the glassy contact carries: it lets go where a ramp of no time does.
 #[test]
 fn a_step_to_detachment_lets_go_where_the_fastest_ramp_does() {
     let (material, time) = (rubber(), 1e-8);
     for (depth, end) in [(0.03, -0.2), (0.05, -0.5)] {
         let step =
-            march_by_panels(&material, &sphere(1e-2, History::penetration(depth).step(end).hold(1.0)).relaxed(), USUAL, &[]).unwrap();
-        let ramp = march_by_panels(&material, &sphere(1e-2, History::penetration(depth).ramp(end, time)).relaxed(), USUAL, &[]).unwrap();
+            integrate_by_panels(&material, &sphere(1e-2, History::penetration(depth).step(end).hold(1.0)).relaxed(), USUAL, &[]).unwrap();
+        let ramp =
+            integrate_by_panels(&material, &sphere(1e-2, History::penetration(depth).ramp(end, time)).relaxed(), USUAL, &[]).unwrap();
         let least = [step.least_force, ramp.least_force].map(|row| [row.force, row.penetration, row.contact_radius]);
         println!("{least:?}");
         assert_eq!((step.end, ramp.end), (End::Lost, End::Lost));
@@ -164,8 +166,12 @@ fn steps_of_every_control_agree_with_time_steps() {
             agree(name, &material, &problem);
         }
     }
-    let held =
-        march_by_panels(&rubber(), &sphere(1e-2, History::contact_radius(0.15).step(0.18).hold(1e5)).relaxed(), USUAL, &[0.0, 0.0, 1e5]);
+    let held = integrate_by_panels(
+        &rubber(),
+        &sphere(1e-2, History::contact_radius(0.15).step(0.18).hold(1e5)).relaxed(),
+        USUAL,
+        &[0.0, 0.0, 1e5],
+    );
     let held = held.unwrap();
     let rest = elastic_contact_of_radius(&SPHERE, 1.0, WORK, 1e-2, 0.18).unwrap();
     println!("{held:?} {rest:?}");
@@ -175,10 +181,10 @@ fn steps_of_every_control_agree_with_time_steps() {
 /// An elastic surface is back at once: it is touched where it was, and bonds to JKR's contact at Δ = 0.
 #[test]
 fn an_elastic_surface_is_touched_where_it_was() {
-    let elastic = Material::elastic(1.0).unwrap();
+    let elastic = PlaneMaterial::elastic(1.0).unwrap();
     for zone in [2e-3, 2e-4] {
         let history = History::penetration(0.01).ramp(-0.1, 1.0).ramp(0.02, 1.0);
-        let outcome = march_by_panels(&elastic, &sphere(zone, history), USUAL, &[2.0]).unwrap();
+        let outcome = integrate_by_panels(&elastic, &sphere(zone, history), USUAL, &[2.0]).unwrap();
         assert_eq!(outcome.end, End::History);
         let landed = outcome.jumps.last().unwrap();
         let touched = elastic_contact(&SPHERE, 1.0, WORK, zone, 0.0).unwrap();
@@ -229,7 +235,7 @@ fn numbers(cycle: &Cycle<Estimate>) -> [Estimate; 10] {
 
 fn cycles_agree(name: &str, panels: &IndentationSolution, steps: &IndentationSolution) {
     assert_eq!(panels.cycles.len(), steps.cycles.len(), "{name}");
-    assert_eq!(panels.march.spreads.len(), steps.march.spreads.len(), "{name}");
+    assert_eq!(panels.integration.spreads.len(), steps.integration.spreads.len(), "{name}");
     for (ours, theirs) in panels.cycles.iter().zip(&steps.cycles) {
         assert_eq!((ours.segment, ours.number), (theirs.segment, theirs.number), "{name}");
         assert!((ours.start - theirs.start).abs() < 1e-12 * ours.end && (ours.end - theirs.end).abs() < 1e-12 * ours.end, "{name}");
@@ -270,7 +276,7 @@ fn rows_of_cycles_agree_with_time_steps() {
 #[test]
 fn the_cycle_of_an_elastic_contact_is_that_of_its_equilibria() {
     let (depth, amplitude, zone) = (0.02, 0.005, 1e-2);
-    let elastic = Material::elastic(1.0).unwrap();
+    let elastic = PlaneMaterial::elastic(1.0).unwrap();
     let history = History::penetration(depth).oscillate(Oscillation::steady(amplitude, 1.0), 2.0);
     let solved = solve_by_panels(&elastic, &IndentationProblem { accuracy: 1e-6, ..sphere(zone, history).relaxed() }).unwrap();
     let force = |k: u32| {
@@ -303,7 +309,7 @@ fn cycles_in_which_the_contact_lets_go() {
 }
 
 #[test]
-fn a_stretch_ends_when_its_cycles_are_stationary() {
+fn a_segment_ends_when_its_cycles_are_stationary() {
     let swings = Oscillation { until_stationary: true, ..Oscillation::steady(0.002, 1.0) };
     let segment = |controlled, end| Segment { duration: 40.0, end, controlled, oscillation: Some(swings) };
     for (controlled, start) in [(Controlled::Penetration, 0.02), (Controlled::Force, 0.02)] {
@@ -312,10 +318,10 @@ fn a_stretch_ends_when_its_cycles_are_stationary() {
         let history = history.then(controlled, 0.9 * start, 1.0);
         let problem = IndentationProblem { accuracy: 5e-2, ..sphere(1.3e-2, history).relaxed() };
         let [panels, steps] = agree("stationary", &two_terms(), &problem);
-        println!("{:?} {:?}", panels.march.shortened, steps.march.shortened);
-        assert_eq!(panels.march.shortened.len(), 1);
-        assert!((panels.march.shortened[0].1 - steps.march.shortened[0].1).abs() < 1e-9);
-        assert!((panels.instants.last().unwrap().time - panels.march.shortened[0].1 - 1.0).abs() < 1e-9);
+        println!("{:?} {:?}", panels.integration.shortened, steps.integration.shortened);
+        assert_eq!(panels.integration.shortened.len(), 1);
+        assert!((panels.integration.shortened[0].1 - steps.integration.shortened[0].1).abs() < 1e-9);
+        assert!((panels.instants.last().unwrap().time - panels.integration.shortened[0].1 - 1.0).abs() < 1e-9);
         cycles_agree("stationary", &panels, &steps);
     }
 }

@@ -15,7 +15,7 @@ use viscotack::indentation::by_panels::solve_by_panels;
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Oscillation, Profile, Start, run};
 use viscotack::material::CreepTerm;
 use viscotack::special::gauss_legendre::UNIT_RULE_20;
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 
 /// Uniform numbers of a linear congruential generator (Knuth's MMIX constants).
 struct Draw(u64);
@@ -47,7 +47,7 @@ fn units(draw: &mut Draw) -> Units {
 }
 
 /// One to twelve terms.
-fn solid(draw: &mut Draw, units: &Units) -> Material {
+fn solid(draw: &mut Draw, units: &Units) -> PlaneMaterial {
     let count = 1 + (draw.unit() * draw.between(1.0, 12.0)) as usize;
     let weights: Vec<f64> = (0..count).map(|_| draw.between(0.2, 1.0)).collect();
     let total: f64 = weights.iter().sum();
@@ -56,7 +56,7 @@ fn solid(draw: &mut Draw, units: &Units) -> Material {
         compliance: weight / total * (1.0 - 1.0 / stiffening) / units.modulus,
         retardation_time: units.time * 10.0_f64.powf(-0.7 * k as f64),
     };
-    Material::from_creep(stiffening * units.modulus, &weights.iter().enumerate().map(term).collect::<Vec<_>>(), None).unwrap()
+    PlaneMaterial::from_creep(stiffening * units.modulus, &weights.iter().enumerate().map(term).collect::<Vec<_>>(), None).unwrap()
 }
 
 fn adhesion(draw: &mut Draw, units: &Units) -> Adhesion {
@@ -142,7 +142,7 @@ fn elastic_solids_are_in_equilibrium_at_every_instant() {
         let profile = [any_shape(draw, &units), Profile::Paraboloid { radius: units.length }]
             .into_iter()
             .find(|shape| !matches!(shape, Profile::Table(_)));
-        let material = Material::elastic(units.modulus).unwrap();
+        let material = PlaneMaterial::elastic(units.modulus).unwrap();
         let problem = problem(draw, &units, profile.unwrap());
         let found = match solve_by_panels(&material, &problem) {
             Ok(found) => found,
@@ -243,7 +243,7 @@ fn given_radii() {
 }
 
 /// Scenes of a kind by both methods; at least nine of ten are compared.
-fn compared(kind: &str, usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (Material, IndentationProblem)) {
+fn compared(kind: &str, usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (PlaneMaterial, IndentationProblem)) {
     let scenes = wanted(usual);
     let skipped: usize = std::env::var("VISCOTACK_SKIP").ok().and_then(|count| count.parse().ok()).unwrap_or(0);
     let (mut failures, mut values, mut refused, mut times) = (Vec::new(), 0_u32, 0, [0.0; 2]);
@@ -285,7 +285,7 @@ fn compared(kind: &str, usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw)
         times[0] += old;
         times[1] += new;
         let scale = rival.instants.iter().map(|instant| instant.force.value.abs()).fold(0.0, f64::max);
-        let [depth, ..] = rival.march.summary.scales;
+        let [depth, ..] = rival.integration.summary.scales;
         for (row, instant) in panels.instants.iter().zip(&rival.instants) {
             if instant.contact_radius.value <= 0.0 || row.contact_radius.value <= 0.0 {
                 break;

@@ -1,8 +1,8 @@
 //! Source: the promise that a run killed at any instant loses nothing (README, "Runs that take long").
 //!
 //! Goal: a run that goes on from a checkpoint ends in the same numbers, whichever step it was taken after, whatever the history does there.
-//! Parameters: histories of every control, with energies, frames, turns, touching again, cycles, stretches that end when stationary; three to eight steps of each,
-//! drawn from all steps of all marches; a chain of checkpoints, each run taking over from the one before. Oracle: the run that was never stopped.
+//! Parameters: histories of every control, with energies, frames, turns, touching again, cycles, segments that end when stationary; three to eight steps of each,
+//! drawn from all steps of all integrations; a chain of checkpoints, each run taking over from the one before. Oracle: the run that was never stopped.
 //! Tolerance: none, every number is compared bit by bit (events, cycles, path, errors and work counters too); checkpoints go through bytes.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
@@ -16,7 +16,7 @@ use viscotack::indentation::{
     Adhesion, Checkpoint, Controlled, EdgeLaw, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Segment, Start,
     Watch, run, run_watched,
 };
-use viscotack::material::{Material, RelaxationTerm};
+use viscotack::material::{PlaneMaterial, RelaxationTerm};
 
 /// Counts steps, and takes a checkpoint after one of them.
 struct Taker {
@@ -46,9 +46,9 @@ impl Watch for Taker {
     }
 }
 
-fn material() -> Material {
+fn material() -> PlaneMaterial {
     let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
-    Material::from_relaxation(2.0, &[term(3.0, 0.5), term(10.0, 0.02)]).unwrap()
+    PlaneMaterial::from_relaxation(2.0, &[term(3.0, 0.5), term(10.0, 0.02)]).unwrap()
 }
 
 fn problem(controlled: Controlled, start: f64, segments: Vec<Segment>) -> IndentationProblem {
@@ -128,12 +128,12 @@ fn a_run_goes_on_from_any_step_to_the_same_bits() {
         let whole = run_watched(&material, &problem, None, Some(&counter)).unwrap();
         the_same(&run(&material, &problem).unwrap(), &whole, name);
         let steps = counter.asked.load(Ordering::Relaxed);
-        // Told in order, from march to march, and to the end of each.
+        // Reported in order, from integration to integration, and to the end of each.
         let parts = counter.parts.into_inner().unwrap();
         assert!(parts.windows(2).all(|pair| pair[1].0 > pair[0].0 || pair[1].1 >= pair[0].1), "{name}: backwards");
         assert!(parts.iter().all(|(_, part)| (0.0..=1.0).contains(part)), "{name}: a part");
         assert!(parts.last().is_some_and(|(_, part)| *part > 0.8), "{name}: {:?}", parts.last());
-        // A run of many steps is told by fewer of them.
+        // A run of many steps is shown by fewer of them.
         let draws = if steps < 1000 { 8 } else { 3 };
         for _ in 0..draws {
             let step = random.between(0.0, steps as f64) as u64;
@@ -177,7 +177,7 @@ fn a_checkpoint_of_another_problem_is_refused() {
     run_watched(&material(), &problem, None, Some(&taker)).unwrap();
     let bytes = taker.taken.into_inner().unwrap().unwrap();
     let checkpoint = || -> Checkpoint { postcard::from_bytes(&bytes).unwrap() };
-    let other = Material::from_relaxation(2.0, &[RelaxationTerm { modulus: 3.0, relaxation_time: 0.5 }]).unwrap();
+    let other = PlaneMaterial::from_relaxation(2.0, &[RelaxationTerm { modulus: 3.0, relaxation_time: 0.5 }]).unwrap();
     let refusal = run_watched(&other, &problem, Some(checkpoint()), None).unwrap_err().to_string();
     assert!(refusal.contains("another problem"), "{refusal}");
     let mut shorter = problem;

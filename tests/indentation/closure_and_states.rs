@@ -11,7 +11,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::closure::{EdgeFields, process_zone_work};
 use viscotack::elastic::{
     JkrSphere,
@@ -86,7 +86,7 @@ impl EdgeFields for Elastic {
 #[test]
 fn closure_on_the_line_is_the_closure_of_the_fields() {
     for (a, lift, zone) in [(0.2, 0.02, 0.013), (0.05, 0.01, 0.02), (0.05, 0.003, 0.04), (0.3, 0.05, 1e-4)] {
-        let springs = Springs::new(&Material::standard_solid(1.0, 1.0, 1.0).unwrap()).unwrap();
+        let springs = Springs::new(&PlaneMaterial::standard_solid(1.0, 1.0, 1.0).unwrap()).unwrap();
         let line = Contact::untouched(&springs, SPHERE, a, a * a - lift).unwrap().zone_work(zone).unwrap();
         let fields = process_zone_work(&Elastic { a, lift }, zone, 1e-11).unwrap();
         println!("a {a} zone {zone}: line {line:e} fields {:e} relative {:e}", fields.value, line / fields.value - 1.0);

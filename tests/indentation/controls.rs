@@ -4,20 +4,20 @@
 //!
 //! Parameters: γ̃ = 1.6e-4, δ̃ = 0.013, β = 10 (chapter 4), E0* = R = ρ = 1; a three-term solid.
 //!
-//! Oracle: elastic contacts at equal process zone; the energy identity; the step halved; a march under another control.
+//! Oracle: elastic contacts at equal process zone; the energy identity; the step halved; an integration under another control.
 //!
 //! Tolerance: with each test.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
 
-use support::indentation::{SPHERE, WORK, ZONE, marched, rubber, three_terms};
-use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Start, elastic_contact, march};
+use support::indentation::{SPHERE, WORK, ZONE, integrated, rubber, three_terms};
+use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Start, elastic_contact, integrate};
 
 /// No load after first touch: the contact creeps from the glassy to the soft unloaded one.
 #[test]
 fn unloaded_contact_grows_from_glassy_to_soft() {
-    let trace = marched(&rubber(), History::force(0.0).hold(2000.0), Start::Untouched, 1e-5);
+    let trace = integrated(&rubber(), History::force(0.0).hold(2000.0), Start::Untouched, 1e-5);
     let end = trace.path.last().unwrap();
     let soft = elastic_contact(&SPHERE, 1.0, WORK, ZONE, end.penetration).unwrap();
     println!(
@@ -28,13 +28,13 @@ fn unloaded_contact_grows_from_glassy_to_soft() {
     assert!(trace.balance_defect().unwrap() < 1e-6);
 }
 
-/// A force ramp until the contact opens; its penetration imposed on a second march gives the same contact.
+/// A force ramp until the contact opens; its penetration imposed on a second integration gives the same contact.
 #[test]
 fn force_and_penetration_tell_one_story() {
     for material in [rubber(), three_terms()] {
         let start = elastic_contact(&SPHERE, 1.0, WORK, ZONE, 0.02).unwrap();
         let history = History::force(start.force).ramp(-45.0 * WORK, 20.0);
-        let force = marched(&material, history, Start::Relaxed, 1e-6);
+        let force = integrated(&material, history, Start::Relaxed, 1e-6);
         assert!(force.events.iter().any(|event| event.kind == EventKind::Detachment));
         assert!(force.balance_defect().unwrap() < 1e-6);
         let mut depths = History::penetration(force.path[0].penetration);
@@ -46,11 +46,11 @@ fn force_and_penetration_tell_one_story() {
                 time = point.time;
             }
         }
-        let penetration = marched(&material, depths, Start::Relaxed, 1e-6);
-        let (last, twin) = (before.last().unwrap(), penetration.path.last().unwrap());
-        println!("a {} {} F {} {}", last.contact_radius, twin.contact_radius, last.force, twin.force);
-        assert!((last.contact_radius / twin.contact_radius - 1.0).abs() < 1e-3);
-        assert!((last.force - twin.force).abs() < 2e-3 * last.force.abs());
+        let penetration = integrated(&material, depths, Start::Relaxed, 1e-6);
+        let (last, same) = (before.last().unwrap(), penetration.path.last().unwrap());
+        println!("a {} {} F {} {}", last.contact_radius, same.contact_radius, last.force, same.force);
+        assert!((last.contact_radius / same.contact_radius - 1.0).abs() < 1e-3);
+        assert!((last.force - same.force).abs() < 2e-3 * last.force.abs());
     }
 }
 
@@ -59,7 +59,7 @@ fn force_and_penetration_tell_one_story() {
 fn radius_and_penetration_tell_one_story() {
     let start = elastic_contact(&SPHERE, 1.0, WORK, ZONE, 0.02).unwrap();
     let a = start.contact_radius;
-    let radius = marched(&rubber(), History::contact_radius(a).ramp(0.8 * a, 10.0).ramp(0.9 * a, 5.0), Start::Relaxed, 1e-6);
+    let radius = integrated(&rubber(), History::contact_radius(a).ramp(0.8 * a, 10.0).ramp(0.9 * a, 5.0), Start::Relaxed, 1e-6);
     assert!(radius.balance_defect().unwrap() < 1e-6);
     let mut depths = History::penetration(radius.path[0].penetration);
     let mut time = 0.0;
@@ -67,10 +67,10 @@ fn radius_and_penetration_tell_one_story() {
         depths = depths.ramp(point.penetration, point.time - time);
         time = point.time;
     }
-    let penetration = marched(&rubber(), depths, Start::Relaxed, 1e-6);
-    let (last, twin) = (radius.path.last().unwrap(), penetration.path.last().unwrap());
-    println!("a {} {} F {} {}", last.contact_radius, twin.contact_radius, last.force, twin.force);
-    assert!((last.contact_radius / twin.contact_radius - 1.0).abs() < 1e-3);
+    let penetration = integrated(&rubber(), depths, Start::Relaxed, 1e-6);
+    let (last, same) = (radius.path.last().unwrap(), penetration.path.last().unwrap());
+    println!("a {} {} F {} {}", last.contact_radius, same.contact_radius, last.force, same.force);
+    assert!((last.contact_radius / same.contact_radius - 1.0).abs() < 1e-3);
 }
 
 /// When a contact held by a spring opens, the spring gives what it stored, F²/(2k_f), once; what the solid then no longer stores is lost.
@@ -80,7 +80,7 @@ fn a_frame_gives_its_energy_when_the_contact_opens() {
         let adhesion = Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE });
         let mut problem = IndentationProblem::new(SPHERE, adhesion, History::frame(0.02).at_speed(-1.0, 0.02)).relaxed();
         (problem.frame_stiffness, problem.energies) = (Some(stiffness), true);
-        let trace = march(&rubber(), &problem, 1e-5).unwrap();
+        let trace = integrate(&rubber(), &problem, 1e-5).unwrap();
         let index = trace.path.iter().position(|point| point.contact_radius.abs() < f64::MIN_POSITIVE).unwrap();
         let (before, after) = (trace.path[index - 1], trace.path[index]);
         let (first, second) = (before.energies.unwrap(), after.energies.unwrap());

@@ -28,7 +28,7 @@ use viscotack::indentation::{
     Adhesion, EdgeLaw, EventKind, History, IndentationProblem, IndentationSolution, Profile, elastic_contact, run,
 };
 use viscotack::material::RelaxationTerm;
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 
 fn entry(speed: f64, trailing: f64, leading: f64) -> WorkAtSpeed {
     WorkAtSpeed { speed, trailing, leading }
@@ -50,14 +50,14 @@ fn by_speed(law: WorkBySpeed) -> EdgeLaw {
     EdgeLaw { by_speed: Some(law), ..EdgeLaw::CONSTANT }
 }
 
-fn solved(material: &Material, problem: &IndentationProblem) -> IndentationSolution {
+fn solved(material: &PlaneMaterial, problem: &IndentationProblem) -> IndentationSolution {
     let found = run(material, problem).unwrap_or_else(|refusal| panic!("{problem:?}: {refusal}"));
     assert!(found.reached, "{problem:?}");
     assert!(found.residual < 1e-5, "{:e}", found.residual);
     found
 }
 
-fn of_row(row: &Row) -> (Material, IndentationProblem) {
+fn of_row(row: &Row) -> (PlaneMaterial, IndentationProblem) {
     let numbers = |text: &str| text.split(',').map(|number| number.parse::<f64>().unwrap()).collect::<Vec<_>>();
     let mut path = row.text("path").split(';').map(numbers);
     let start = path.next().unwrap()[0];
@@ -73,7 +73,7 @@ fn of_row(row: &Row) -> (Material, IndentationProblem) {
         }
         _ => None,
     };
-    (Material::elastic(row.number("modulus")).unwrap(), problem)
+    (PlaneMaterial::elastic(row.number("modulus")).unwrap(), problem)
 }
 
 /// Two unit systems; laws and tables; approach, rest, retraction, and an approach again.
@@ -105,9 +105,9 @@ fn elastic_edges_are_the_initial_value_problem() {
     }
 }
 
-fn three_terms() -> Material {
+fn three_terms() -> PlaneMaterial {
     let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
-    Material::from_relaxation(1.3e6, &[term(3e6, 0.05), term(5e6, 1.0), term(2e6, 20.0)]).unwrap()
+    PlaneMaterial::from_relaxation(1.3e6, &[term(3e6, 0.05), term(5e6, 1.0), term(2e6, 20.0)]).unwrap()
 }
 
 /// Works that do not differ, or that no speed changes, are one work: every instant within both bounds.
@@ -115,7 +115,7 @@ fn three_terms() -> Material {
 fn equal_works_are_one_work() {
     let flat = || WorkBySpeed::table(&[entry(1e-9, 1.0, 1.0), entry(1e9, 1.0, 1.0)]).unwrap();
     let history = History::penetration(0.0).ramp(5e-6, 5.0).hold(2.0).ramp(2e-6, 1.0).ramp(4e-6, 0.5).ramp(-30e-6, 40.0);
-    for material in [Material::elastic(1.3e6).unwrap(), Material::standard_solid(1.3e6, 1.3e7, 1.0).unwrap(), three_terms()] {
+    for material in [PlaneMaterial::elastic(1.3e6).unwrap(), PlaneMaterial::standard_solid(1.3e6, 1.3e7, 1.0).unwrap(), three_terms()] {
         let problem = IndentationProblem { instants_per_segment: 5, ..sphere(1e-3, 0.05, 2e-7, history.clone()) };
         let one = solved(&material, &problem);
         for (name, law) in [("a flat table", by_speed(flat())), ("leading work 1 − 1e-12 of the trailing one", two_works(1.0 - 1e-12))] {
@@ -138,8 +138,8 @@ fn equal_works_are_one_work() {
 fn two_works_are_two_curves_of_jkr() {
     let (radius, modulus) = (1e-3, 1e6 / 0.75);
     let (trailing, leading) = (0.05, 0.005);
-    let slow = Material::standard_solid(modulus, 10.0 * modulus, 1e-4).unwrap();
-    for (name, material, zone) in [("elastic", Material::elastic(modulus).unwrap(), 1e-7), ("slow rubber", slow, 1e-7)] {
+    let slow = PlaneMaterial::standard_solid(modulus, 10.0 * modulus, 1e-4).unwrap();
+    for (name, material, zone) in [("elastic", PlaneMaterial::elastic(modulus).unwrap(), 1e-7), ("slow rubber", slow, 1e-7)] {
         let history = History::penetration(0.0).ramp(5e-6, 500.0).ramp(-3e-6, 800.0);
         let problem =
             IndentationProblem { instants_per_segment: 8, ..with(&sphere(radius, trailing, zone, history), two_works(leading / trailing)) };
@@ -172,7 +172,7 @@ fn two_works_are_two_curves_of_jkr() {
 #[test]
 fn two_unit_systems() {
     let run_in = |length: f64, time: f64, modulus: f64| {
-        let material = Material::standard_solid(modulus, 10.0 * modulus, 0.3 * time).unwrap();
+        let material = PlaneMaterial::standard_solid(modulus, 10.0 * modulus, 0.3 * time).unwrap();
         let speed = length / time;
         let law =
             WorkBySpeed::table(&[entry(1e-3 * speed, 1.0, 1.0), entry(0.1 * speed, 4.0, 0.5), entry(10.0 * speed, 9.0, 0.2)]).unwrap();
@@ -194,7 +194,7 @@ fn two_unit_systems() {
 /// Works of the speed make pull-off higher at any speed of the pull than the work at rest, and lower than that of the fastest edge.
 #[test]
 fn pull_off_between_the_works_of_slow_and_fast_edges() {
-    for material in [Material::elastic(1.3e6).unwrap(), three_terms()] {
+    for material in [PlaneMaterial::elastic(1.3e6).unwrap(), three_terms()] {
         let problem = |history: History| sphere(1e-3, 0.05, 2e-7, history).relaxed();
         let pulled = |law: EdgeLaw, work: f64| {
             let history = History::penetration(2e-6).at_speed(-60e-6, 3e-6);
@@ -212,7 +212,7 @@ fn pull_off_between_the_works_of_slow_and_fast_edges() {
 /// What has no stable speed, or no sense, is refused with the reason, whenever it comes up.
 #[test]
 fn refusals_have_reasons() {
-    let material = Material::standard_solid(1.3e6, 1.3e7, 1.0).unwrap();
+    let material = PlaneMaterial::standard_solid(1.3e6, 1.3e7, 1.0).unwrap();
     let approach = sphere(1e-3, 0.05, 2e-7, History::penetration(0.0).ramp(5e-6, 5.0));
     let refusal = |problem: &IndentationProblem| run(&material, problem).unwrap_err();
     let rising = || by_speed(WorkBySpeed::power(1e-6, 0.5).unwrap());
@@ -241,7 +241,7 @@ fn refusals_have_reasons() {
 #[test]
 fn a_zone_that_grows_on_a_sphere_is_that_of_its_edge() {
     let (relaxed, glassy, work, zone) = (1.3e6, 1.3e7, 0.05, 2e-7);
-    let material = Material::standard_solid(relaxed, glassy, 1.0).unwrap();
+    let material = PlaneMaterial::standard_solid(relaxed, glassy, 1.0).unwrap();
     let growing = EdgeLaw { growing_zone: true, ..EdgeLaw::CONSTANT };
     let wide = 40.0 * zone;
     let held = sphere(1e-3, work, wide, History::penetration(5e-7).ramp(4.999_999e-7, 1e-9)).relaxed();
@@ -251,7 +251,7 @@ fn a_zone_that_grows_on_a_sphere_is_that_of_its_edge() {
     let constant = solved(&material, &held).instants[0].contact_radius.value;
     println!("G/Δγ {growth}: {} against {contact}, constant {constant}", first.contact_radius.value);
     assert!((first.contact_radius.value / contact - 1.0).abs() < 1e-6 && (constant / contact - 1.0).abs() > 1e-5);
-    let pull_off = |material: &Material, rate: f64, law: &EdgeLaw| {
+    let pull_off = |material: &PlaneMaterial, rate: f64, law: &EdgeLaw| {
         let history = History::penetration(5e-6).ramp(-40e-6, 45e-6 / rate);
         let problem = sphere(1e-3, work, zone, history).relaxed();
         solved(material, &with(&problem, law.clone())).pull_off_force().unwrap().value
@@ -262,7 +262,7 @@ fn a_zone_that_grows_on_a_sphere_is_that_of_its_edge() {
         assert!(grows < 0.99 * constant && grows > 0.5 * constant);
     }
     // Where G = Δγ at every instant, both zones are one.
-    let elastic = Material::elastic(relaxed).unwrap();
+    let elastic = PlaneMaterial::elastic(relaxed).unwrap();
     let [constant, grows] = [&EdgeLaw::CONSTANT, &growing].map(|law| pull_off(&elastic, 1e-5, law));
     println!("elastic: {constant} and {grows}");
     assert!((grows / constant - 1.0).abs() < 1e-3);

@@ -5,20 +5,20 @@
 //! start is monotone; the loss of a cycle largest near ωρ = 1.
 //!
 //! Parameters: one term, β = 10, γ̃ = 1.6e-4, δ̃ = 0.013, relaxed at Δ̃ = 0.032 (thesis Fig 4.8), speeds 1e-6 to 1e2 R/ρ.
-//! Tolerance: 1e-5 of G, as asked of two accounts; sums to the tolerance of the march.
+//! Tolerance: 1e-5 of G, as asked of two accounts; sums to the tolerance of the integration.
 #![allow(clippy::unwrap_used, clippy::float_cmp, missing_docs)]
 
 use crate::support;
 
 use std::f64::consts::{PI, TAU};
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
-use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Oscillation, Profile, Trace, march};
+use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Oscillation, Profile, Trace, integrate};
 
 fn retraction(speed: f64) -> Trace {
     let adhesion = Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE });
     let history = History::penetration(0.032).at_speed(-0.3, speed);
     let problem = IndentationProblem { energies: true, ..IndentationProblem::new(SPHERE, adhesion, history) }.relaxed();
-    march(&rubber(), &problem, 1e-5).unwrap()
+    integrate(&rubber(), &problem, 1e-5).unwrap()
 }
 
 #[test]
@@ -31,7 +31,7 @@ fn power_balance_and_two_accounts_of_g() {
         let balance = trace.balance_defect().unwrap();
         // Every step before the contact is lost; a step that hardly changes the area cannot tell G by a difference.
         let end = trace.path.iter().position(|point| point.contact_radius == 0.0).unwrap();
-        let (mut worst, mut pointwise, mut told) = (0.0f64, 0.0f64, 0);
+        let (mut worst, mut pointwise, mut reported) = (0.0f64, 0.0f64, 0);
         let turned: f64 = trace.path[..end]
             .windows(2)
             .map(|pair| (pair[1].energies.unwrap().tip_work - pair[0].energies.unwrap().tip_work).abs())
@@ -45,18 +45,18 @@ fn power_balance_and_two_accounts_of_g() {
                 // The floor of a difference of two energies.
                 let floor = 1e-13 * stored / area;
                 worst = worst.max(((by_energy - by_tip).abs() - floor) / by_tip.abs().max(WORK));
-                told += 1;
+                reported += 1;
             }
         }
         // G at the thesis's place: the largest of the run, of the step means.
         let largest = (1..end).filter_map(|place| trace.release_rates(place)).map(|rates| rates.1 / WORK).fold(0.0, f64::max);
         let tension = trace.largest_tension().unwrap();
         println!(
-            "V = {speed:e}: {} steps, balance {balance:.1e}, worst step {pointwise:.1e}, G by two accounts {worst:.1e} of {told}, G/Δγ up to {largest:.4}, F_off {tension:.6e}",
+            "V = {speed:e}: {} steps, balance {balance:.1e}, worst step {pointwise:.1e}, G by two accounts {worst:.1e} of {reported}, G/Δγ up to {largest:.4}, F_off {tension:.6e}",
             trace.work.steps
         );
         assert!(balance < 1e-5 && pointwise < 1e-5);
-        assert!(worst < 1e-5 && told > 10);
+        assert!(worst < 1e-5 && reported > 10);
         assert!(trace.events.iter().any(|event| matches!(event.kind, EventKind::Detachment | EventKind::ZoneReached)));
         forces.push(tension);
         releases.push(largest);
@@ -84,7 +84,7 @@ fn the_loss_of_a_cycle_peaks_near_the_relaxation_time() {
             let cycles = (20.0 * frequency).ceil().max(2.0);
             let history = History::penetration(0.03).oscillate(Oscillation::steady(1e-4, frequency), cycles / frequency);
             let problem = IndentationProblem::new(profile.clone(), adhesion, history).relaxed();
-            let trace = march(&rubber(), &problem, 1e-4).unwrap();
+            let trace = integrate(&rubber(), &problem, 1e-4).unwrap();
             losses.push((omega, trace.cycles.last().unwrap().work));
         }
         let peak = losses.iter().copied().max_by(|one, other| one.1.total_cmp(&other.1)).unwrap();

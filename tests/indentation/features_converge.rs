@@ -1,20 +1,22 @@
-//! Features of a march that once left errors which no tolerance made smaller.
+//! Features of an integration that once left errors which no tolerance made smaller.
 //!
-//! Goal: turns, corners one process zone from them, folds and rests cost a march no more than its tolerance.
+//! Goal: turns, corners one process zone from them, folds and rests cost an integration no more than its tolerance.
 //!
-//! Parameters: scenes of the study of error bars (`viscotack verify`), in each of which one feature was found to dominate: a turn within a step that the edge
-//! drove, a long first step behind a landmark where the edge is slow, a path held to a straight line by a first guess, t(y) where y(t) is the smoother, a landmark forgotten
-//! at another one, a turn that steps creep up to, a corner of a corner, corners of the history and places left suddenly that the edge comes back over, a turn just ahead, short ways, growth that no tolerance changed, panels joined, a fold that is foreseen,
-//! the first steps behind a corner, a contact as small as its zone, errors that do not fall, a short last step to an instant.
+//! Parameters: scenes of the study of error bounds (`viscotack verify`), in each of which one feature was found to dominate: a turn within a step that the edge
+//! drove, a long first step behind a kink where the edge is slow, a path held to a straight line by a first guess, t(y) where y(t) is the smoother, a kink forgotten at
+//! another one, a turn that steps creep up to, a corner of a corner, corners of the history and places left suddenly that the edge comes back over, a turn just ahead,
+//! short ways, growth that no tolerance changed, panels joined, a fold that is foreseen, the first steps behind a corner, a contact as small as its zone, errors that
+//! do not fall, a short last step to an instant.
 //!
-//! Oracle: the same march at a tolerance of 1e-8, which took the features in steps so short that they did not matter; for joined panels Lee and Radok's closed form.
+//! Oracle: the same integration at a tolerance of 1e-8, which took the features in steps so short that they did not matter; for joined panels Lee and Radok's closed
+//! form.
 //!
 //! Tolerance: a tenth or less of what each left; two to twenty times what is left now.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
-use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, PathPoint, Profile, march, run};
+use viscotack::PlaneMaterial;
+use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, PathPoint, Profile, integrate, run};
 use viscotack_verification::studies::calibration::{SEED, sphere};
 use viscotack_verification::studies::draw::Draw;
 use viscotack_verification::studies::known_states::sphere::known_sphere;
@@ -22,7 +24,7 @@ use viscotack_verification::studies::known_states::sphere::known_sphere;
 fn left(scene: u64, instant: usize, tolerance: f64, of: fn(&PathPoint) -> f64) -> f64 {
     let (material, problem) = sphere::problem(scene, 1e-3).unwrap();
     let value = |tolerance: f64| {
-        let trace = march(&material, &problem, tolerance).unwrap();
+        let trace = integrate(&material, &problem, tolerance).unwrap();
         let scale = trace.path.iter().fold(0.0_f64, |most, point| most.max(of(point).abs()));
         (of(&trace.path[trace.kept[instant]]), scale)
     };
@@ -38,9 +40,9 @@ fn a_turn_within_a_step_that_the_edge_drives() {
     assert!(left(174, 4, 3e-3, |point| point.contact_radius) < 4e-5);
 }
 
-/// It was 3.2e-4: a straight first step, which nothing judges, as long as the one before.
+/// It was 3.2e-4: a straight first step, which nothing assesses, as long as the one before.
 #[test]
-fn a_first_step_behind_a_landmark() {
+fn a_first_step_behind_a_kink() {
     assert!(left(186, 3, 3.2e-4, |point| point.penetration) < 6e-5);
 }
 
@@ -59,7 +61,7 @@ fn an_edge_that_slows_down_is_smooth_in_time() {
 
 /// They were 3.1e-6 and 2.1e-4: the corner one process zone beyond a turn was forgotten at an older corner before it.
 #[test]
-fn a_landmark_beyond_another_one() {
+fn a_kink_beyond_another_one() {
     assert!(left(238, 4, 1e-3, |point| point.contact_radius) < 6e-7);
     assert!(left(2306, 4, 1e-4, |point| point.stress_intensity_factor) < 8e-5);
 }
@@ -92,9 +94,9 @@ fn a_place_left_suddenly_that_the_edge_comes_back_over() {
     let adhesion = Some(Adhesion { work_of_adhesion: 1.6e-4 * PI, process_zone: 0.013 });
     let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, adhesion, history);
     let problem = IndentationProblem { instants_per_segment: 4, ..problem };
-    let material = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap();
     let last_two = |tolerance: f64| {
-        let trace = march(&material, &problem, tolerance).unwrap();
+        let trace = integrate(&material, &problem, tolerance).unwrap();
         [2, 1].map(|back| trace.path[trace.kept[trace.kept.len() - back]].stress_intensity_factor)
     };
     for (found, truth) in last_two(1e-2).iter().zip(&last_two(1e-8)) {
@@ -116,9 +118,9 @@ fn short_ways_are_known_to_a_part_of_themselves() {
     assert!(left(328, 1, 3.2e-3, |point| point.force) < 3e-6);
 }
 
-/// It was 1.3e-6: steps grew by a half each, however tight the march.
+/// It was 1.3e-6: steps grew by a half each, however tight the integration.
 #[test]
-fn steps_grow_less_in_a_tighter_march() {
+fn steps_grow_less_in_a_tighter_integration() {
     assert!(left(601, 2, 1e-4, |point| point.force) < 1e-7);
 }
 
@@ -133,16 +135,17 @@ fn a_quick_edge_before_its_fold() {
 #[test]
 fn a_search_with_a_slope_of_another_step() {
     let (material, problem) = sphere::problem(2097, 1e-3).unwrap();
-    assert!(march(&material, &problem, 1e-7).is_ok());
+    assert!(integrate(&material, &problem, 1e-7).is_ok());
 }
 
-/// A ramp of depth without adhesion, by Lee and Radok's closed form. It was off by 1.4e-8 and 1.2e-8: panels were joined to a thousandth of the tolerance, as often as there were steps.
+/// A ramp of depth without adhesion, by Lee and Radok's closed form. It was off by 1.4e-8 and 1.2e-8: panels were joined to a thousandth of the tolerance, as often as
+/// there were steps.
 #[test]
 fn joined_panels_change_nothing_that_counts() {
     let known = known_sphere(&mut Draw::of(SEED ^ 5, 2100)).unwrap();
     assert_eq!(known.kind, "pressed in and held, without adhesion");
     for tolerance in [3.2e-4, 1e-4] {
-        let trace = march(&known.material, &known.problem, tolerance).unwrap();
+        let trace = integrate(&known.material, &known.problem, tolerance).unwrap();
         let (place, [_, force, _]) = known.instants[0];
         let off = (trace.path[trace.kept[place]].force - force).abs() / known.scales[1];
         println!("force of a ramp at {tolerance:e}: {off:e}");
@@ -152,7 +155,7 @@ fn joined_panels_change_nothing_that_counts() {
 
 fn radius_of_detachment(scene: u64, tolerance: f64) -> f64 {
     let (material, problem) = sphere::problem(scene, 1e-4).unwrap();
-    let trace = march(&material, &problem, tolerance).unwrap();
+    let trace = integrate(&material, &problem, tolerance).unwrap();
     let event = trace.events.iter().rfind(|event| event.kind == EventKind::Detachment).unwrap();
     println!("scene {scene} at {tolerance:e}: lets go at {:e}", event.contact_radius);
     event.contact_radius
@@ -167,7 +170,7 @@ fn a_fold_that_is_foreseen() {
 
 /// It was 1.3e-4, between 1e-6 and 1e-4: just behind a corner, steps of rounding foresaw a fold.
 #[test]
-fn no_fold_is_told_by_the_first_steps_behind_a_corner() {
+fn no_fold_is_seen_in_the_first_steps_behind_a_corner() {
     let truth = radius_of_detachment(1414, 1e-8);
     for tolerance in [1e-4, 1e-6, 1e-7] {
         assert!((radius_of_detachment(1414, tolerance) - truth).abs() < 1e-6 * truth);
@@ -180,7 +183,7 @@ fn a_contact_as_small_as_its_zone() {
     let (material, problem) = sphere::problem(1458, 1e-3).unwrap();
     let zone = problem.adhesion.unwrap().process_zone;
     let reached = |tolerance: f64| {
-        let trace = march(&material, &problem, tolerance).unwrap();
+        let trace = integrate(&material, &problem, tolerance).unwrap();
         *trace.events.iter().find(|event| event.kind == EventKind::ZoneReached).unwrap()
     };
     let truth = reached(1e-8);
@@ -192,12 +195,12 @@ fn a_contact_as_small_as_its_zone() {
     }
 }
 
-/// Three marches in a row err alike here: their bar was half of the error.
+/// Three integrations in a row err alike here: their bound was half of the error.
 #[test]
 fn errors_that_do_not_fall_are_held() {
     let (material, problem) = sphere::problem(68, 1e-4).unwrap();
     let found = run(&material, &problem).unwrap().instants[4].stress_intensity_factor;
-    let truth = march(&material, &problem, 1e-8).unwrap();
+    let truth = integrate(&material, &problem, 1e-8).unwrap();
     let truth = truth.path[truth.kept[4]].stress_intensity_factor;
     println!("{:e} ± {:e}, {truth:e}", found.value, found.error);
     assert!((found.value - truth).abs() < found.error);

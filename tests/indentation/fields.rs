@@ -1,6 +1,6 @@
 //! Source: theory of the line (Sneddon 1965); Johnson, Kendall & Roberts (1971); thesis Figs 4.4, 4.6.
 //!
-//! Goal: pressure and surface displacement of a contact, elastic or with a past.
+//! Goal: pressure and surface displacement of a contact, elastic or with a path history.
 //!
 //! Parameters: a sphere R = 1 with E* = 10; a re-advanced contact of a solid with β = 10.
 //!
@@ -10,7 +10,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Contact, Profile, Springs, SurfaceFields, Sweep};
 use viscotack::special::gauss_legendre::UNIT_RULE_20;
 
@@ -18,7 +18,7 @@ const SPHERE: Profile = Profile::Paraboloid { radius: 1.0 };
 
 #[test]
 fn elastic_fields_are_closed_forms() {
-    let springs = Springs::new(&Material::from_relaxation(10.0, &[]).unwrap()).unwrap();
+    let springs = Springs::new(&PlaneMaterial::from_relaxation(10.0, &[]).unwrap()).unwrap();
     let (a, depth) = (0.2, 0.03);
     let fields = SurfaceFields::of(&Contact::untouched(&springs, SPHERE, a, depth).unwrap());
     for r in [0.0, 1e-3, 0.05, 0.1, 0.19, 0.1999] {
@@ -39,7 +39,7 @@ fn elastic_fields_are_closed_forms() {
 
 #[test]
 fn a_contact_with_a_past_keeps_shape_and_force() {
-    let springs = Springs::new(&Material::standard_solid(1.0, 10.0, 10.0).unwrap()).unwrap();
+    let springs = Springs::new(&PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap()).unwrap();
     let mut contact = Contact::relaxed(&springs, SPHERE, 0.2, 0.03).unwrap();
     for (a, depth, time) in [(0.15, 0.01, 1.0), (0.23, 0.04, 0.7)] {
         let (start, from) = (contact.radius(), contact.penetration());

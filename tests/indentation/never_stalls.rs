@@ -1,12 +1,12 @@
 //! Source: this crate's promise that a history always gives a result or a typed refusal with its reason.
 //!
-//! Goal: the hard cases of a march, each with what must happen stated beforehand.
+//! Goal: the hard cases of an integration, each with what must happen stated beforehand.
 //!
 //! Parameters: γ̃ = 1.6e-4, δ̃ = 0.013, E0* = R = 1 (chapter 4) unless a case says otherwise; requested accuracy 1e-4.
 //!
 //! Oracle: what each case is named for: a limit, an event that must or must not happen, a refusal.
 //!
-//! Tolerance: as each case says. Every march: residual below 1e-8, no pressed edge, no overlap, fewer than 40 000 closures in all its marches.
+//! Tolerance: as each case says. Every integration: residual below 1e-8, no pressed edge, no overlap, fewer than 40 000 closures in all its integrations.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
@@ -15,16 +15,16 @@ use std::f64::consts::PI;
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
 use viscotack::indentation::{
     Adhesion, Controlled, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, elastic_contact,
-    elastic_contact_of_radius, march, run,
+    elastic_contact_of_radius, integrate, run,
 };
 use viscotack::material::RelaxationTerm;
-use viscotack::{Material, refusal::Refusal};
+use viscotack::{PlaneMaterial, refusal::Refusal};
 
 fn asked(history: History) -> IndentationProblem {
     IndentationProblem::new(SPHERE, Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE }), history)
 }
 
-fn solved(name: &str, material: &Material, problem: &IndentationProblem) -> IndentationSolution {
+fn solved(name: &str, material: &PlaneMaterial, problem: &IndentationProblem) -> IndentationSolution {
     let found = run(material, problem).unwrap_or_else(|refusal| panic!("{name}: {refusal}"));
     println!(
         "{name}: {} steps, {} closures, F_off {:?}, {:?}",
@@ -34,7 +34,7 @@ fn solved(name: &str, material: &Material, problem: &IndentationProblem) -> Inde
         found.events.iter().map(|event| (event.kind, event.time.value)).collect::<Vec<_>>()
     );
     assert!(found.reached, "{name} misses its accuracy");
-    for point in found.march.path.iter().filter(|point| point.residual.abs() > 1e-8) {
+    for point in found.integration.path.iter().filter(|point| point.residual.abs() > 1e-8) {
         println!("{point:?}");
     }
     assert!(found.residual < 1e-8, "{name}: residual {:e}", found.residual);
@@ -52,12 +52,12 @@ fn happened(found: &IndentationSolution, kind: EventKind) -> usize {
     found.events.iter().filter(|event| event.kind == kind).count()
 }
 
-fn wide(terms: usize) -> Material {
+fn wide(terms: usize) -> PlaneMaterial {
     let term = |k: usize| RelaxationTerm {
         modulus: 99.0 / terms as f64,
         relaxation_time: 10f64.powf(-6.0 + 12.0 * k as f64 / (terms - 1) as f64),
     };
-    Material::from_relaxation(1.0, &(0..terms).map(term).collect::<Vec<_>>()).unwrap()
+    PlaneMaterial::from_relaxation(1.0, &(0..terms).map(term).collect::<Vec<_>>()).unwrap()
 }
 
 /// Eight decades of speed: the pull-off of a cycle after a full approach grows from the soft to the glassy one and stays between them.
@@ -87,7 +87,7 @@ fn one_to_twenty_terms_over_twelve_decades() {
 #[test]
 fn ratios_of_moduli() {
     for beta in [1.0, 1.001, 1000.0] {
-        let material = Material::standard_solid(1.0, beta, beta).unwrap();
+        let material = PlaneMaterial::standard_solid(1.0, beta, beta).unwrap();
         let found = solved(&format!("β = {beta}"), &material, &asked(History::penetration(0.02).at_speed(-0.05, 0.1)).relaxed());
         let pull_off = found.pull_off_force().unwrap().value / (1.5 * PI * WORK);
         assert!(pull_off > 0.9 && pull_off < beta.max(1.1));
@@ -157,7 +157,7 @@ fn frames_between_both_controls() {
     assert!((radii[2] / event.contact_radius.value - 1.0).abs() < 1e-2, "{radii:?} {event:?}");
 }
 
-/// The rim of a punch holds until the edge there gives way: glassily, when the unloading is fast.
+/// The rim of a punch holds until the edge there detaches: glassily, when the unloading is fast.
 #[test]
 fn flat_punches() {
     let radius = 0.1;
@@ -208,7 +208,7 @@ fn controls_that_change_on_the_way() {
 /// An elastic solid forgets its way, so that no zone is too short for it: pull-off as Johnson, Kendall and Roberts have it, under the penetration and under the force.
 #[test]
 fn elastic_solids_with_zones_of_a_millionth_of_the_radius() {
-    let elastic = Material::from_relaxation(1.0, &[]).unwrap();
+    let elastic = PlaneMaterial::from_relaxation(1.0, &[]).unwrap();
     let pull_off = 1.5 * PI * WORK;
     for zone in [1e-3, 1e-5, 1e-6] {
         let adhesion = Some(Adhesion { work_of_adhesion: WORK, process_zone: zone });
@@ -226,14 +226,14 @@ fn elastic_solids_with_zones_of_a_millionth_of_the_radius() {
 
 #[test]
 fn refusals_have_reasons() {
-    let refused = |material: &Material, problem: &IndentationProblem| run(material, problem).unwrap_err();
+    let refused = |material: &PlaneMaterial, problem: &IndentationProblem| run(material, problem).unwrap_err();
     let below = asked(History::contact_radius(0.2).ramp(0.005, 3.0)).relaxed();
     assert!(matches!(refused(&rubber(), &below), Refusal::OutOfRange { quantity: "contact_radius", .. }));
     let beyond = asked(History::force(-1.0).hold(1.0)).relaxed();
     assert!(matches!(refused(&rubber(), &beyond), Refusal::NoSuchState { .. }));
     let frame = asked(History::frame(0.0).ramp(0.1, 1.0));
     assert!(matches!(refused(&rubber(), &frame), Refusal::Undefined { .. }));
-    let viscous = Material::from_relaxation(0.0, &[RelaxationTerm { modulus: 1.0, relaxation_time: 1.0 }]);
+    let viscous = PlaneMaterial::from_relaxation(0.0, &[RelaxationTerm { modulus: 1.0, relaxation_time: 1.0 }]);
     if let Ok(viscous) = viscous {
         assert!(matches!(refused(&viscous, &asked(History::penetration(0.02).hold(1.0))), Refusal::Undefined { .. }));
     }
@@ -244,18 +244,18 @@ fn refusals_have_reasons() {
     }
 }
 
-/// A punch whose rim gives way at the peak of every pull, and takes the edge back: the edge arrives at the rim, rests, and leaves it near the top of a
+/// A punch whose rim detaches at the peak of every pull, and takes the edge back: the edge arrives at the rim, rests, and leaves it near the top of a
 /// sinus, where the time to the instant of leaving is noise.
 #[test]
-fn a_rim_gives_way_in_every_cycle() {
-    let material = Material::standard_solid(1.0e6, 1.0e7, 1e-2).unwrap();
+fn a_rim_detaches_in_every_cycle() {
+    let material = PlaneMaterial::standard_solid(1.0e6, 1.0e7, 1e-2).unwrap();
     let (radius, work, zone) = (2e-4, 0.2, 2e-6);
     let mut receded = 0;
     for pull in [5.6e-3, 5.8e-3, 6.0e-3, 6.2e-3] {
         let history = History::force(-pull).oscillate(Oscillation::steady(1.5e-3, 30.0), 1.0);
         let adhesion = Some(Adhesion { work_of_adhesion: work, process_zone: zone });
         let problem = IndentationProblem::new(Profile::FlatPunch { radius }, adhesion, history).relaxed();
-        let trace = march(&material, &problem, 1e-3).unwrap();
+        let trace = integrate(&material, &problem, 1e-3).unwrap();
         let least =
             trace.path.iter().filter(|point| point.contact_radius > 0.0).fold(radius, |least, point| least.min(point.contact_radius));
         println!(
@@ -275,13 +275,13 @@ fn a_rim_gives_way_in_every_cycle() {
     assert!(receded > 0, "no rim gave way");
 }
 
-/// A contact lost late in a stretch, in a solid whose shortest time is below what the clock can tell there: the open surface goes on from a step that the clock sees.
+/// A contact lost late in a segment, in a solid whose shortest time is below what the clock can tell there: the open surface goes on from a step that the clock sees.
 /// The pull-off is JKR's of the relaxed solid, within what the process zone and the last of the spectrum leave.
 #[test]
 fn a_late_pull_off_with_times_below_the_clock() {
     let terms: Vec<RelaxationTerm> =
         (0..20).map(|k| RelaxationTerm { modulus: 2.0, relaxation_time: 10f64.powf(-14.0 + 12.0 * f64::from(k) / 19.0) }).collect();
-    let material = Material::from_relaxation(1.0, &terms).unwrap();
+    let material = PlaneMaterial::from_relaxation(1.0, &terms).unwrap();
     let mut problem = asked(History::penetration(0.02).at_speed(-0.06, 0.01)).relaxed();
     problem.accuracy = 1e-2;
     let found = run(&material, &problem).unwrap();
@@ -290,6 +290,6 @@ fn a_late_pull_off_with_times_below_the_clock() {
     let pull_off = found.pull_off_force().unwrap().value;
     let jkr = 1.5 * PI * WORK;
     assert!(pull_off > 0.9 * jkr && pull_off < 40.0 * jkr, "{:e}", pull_off / jkr);
-    // The whole stretch was done.
+    // The whole segment was done.
     assert!((found.instants.last().unwrap().penetration.value + 0.06).abs() < 1e-12);
 }

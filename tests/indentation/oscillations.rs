@@ -4,25 +4,25 @@
 //! start is known too: F/2a = ∫R(t − t′)dΔ.
 //! Goal: work, stiffness, phase and extremes of cycles, sweeps, ramps beneath, stationarity, and the bound on memory.
 //! Oracle: E*(ω) from the sums of the relaxation terms, written out here; elementary integrals.
-//! Tolerance: 1e-8 of the stiffness asked of the march (its order is six in the step; a tolerance of 1e-9 takes about 300 steps a cycle).
+//! Tolerance: 1e-8 of the stiffness asked of the integration (its order is six in the step; a tolerance of 1e-9 takes about 300 steps a cycle).
 #![allow(clippy::unwrap_used, clippy::float_cmp, missing_docs)]
 
 use crate::support;
 
 use std::f64::consts::{PI, TAU};
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
-use viscotack::Material;
-use viscotack::indentation::{Adhesion, FrequencySweep, History, IndentationProblem, Oscillation, PathPoint, Profile, march, run};
+use viscotack::PlaneMaterial;
+use viscotack::indentation::{Adhesion, FrequencySweep, History, IndentationProblem, Oscillation, PathPoint, Profile, integrate, run};
 use viscotack::material::RelaxationTerm;
 
-fn terms(count: i32) -> Material {
+fn terms(count: i32) -> PlaneMaterial {
     // Not of unit moduli, and spread over decades about a time of 0.02 s.
     let term = |k: i32| RelaxationTerm { modulus: 3.1e6 / f64::from(count), relaxation_time: 0.02 * 10f64.powi(k - count / 2) };
-    Material::from_relaxation(0.7e6, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
+    PlaneMaterial::from_relaxation(0.7e6, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
 }
 
 /// E' and E'' at an angular frequency.
-fn complex(material: &Material, omega: f64) -> (f64, f64) {
+fn complex(material: &PlaneMaterial, omega: f64) -> (f64, f64) {
     material.relaxation_terms().iter().fold((0.7e6, 0.0), |(storage, loss), term| {
         let x = omega * term.relaxation_time;
         (storage + term.modulus * x * x / (1.0 + x * x), loss + term.modulus * x / (1.0 + x * x))
@@ -45,7 +45,7 @@ fn a_punch_has_the_complex_stiffness_of_its_solid() {
             let slowest = material.relaxation_terms().iter().fold(0.0f64, |most, term| most.max(term.relaxation_time));
             let cycles = if count == 12 { 6.0 } else { (22.0 * slowest * frequency).ceil().max(2.0) };
             let history = History::penetration(4e-5).oscillate(Oscillation::steady(1e-6, frequency), cycles / frequency);
-            let trace = march(&material, &punch(history, 1e-6), 1e-9).unwrap();
+            let trace = integrate(&material, &punch(history, 1e-6), 1e-9).unwrap();
             let last = trace.cycles.last().unwrap();
             let (storage, loss) = complex(&material, omega);
             let (mut exact_storage, mut exact_loss) = (4e-3 * storage, 4e-3 * loss);
@@ -74,8 +74,8 @@ fn a_punch_has_the_complex_stiffness_of_its_solid() {
     }
 }
 
-/// Stiffness of the last of so many cycles, with the transients of the start and the straight line between both ends taken off as the meter does.
-fn with_transient(material: &Material, omega: f64, cycles: f64) -> (f64, f64) {
+/// Stiffness of the last of so many cycles, with the transients of the start and the straight line between both ends taken off as the cycle integrals do.
+fn with_transient(material: &PlaneMaterial, omega: f64, cycles: f64) -> (f64, f64) {
     let period = TAU / omega;
     let (start, end) = ((cycles - 1.0) * period, cycles * period);
     let transient = |t: f64| {
@@ -114,7 +114,7 @@ fn swept_frequencies_find_the_stiffness_of_each() {
         for sweep in [FrequencySweep::Linear, FrequencySweep::Logarithmic] {
             let oscillation = Oscillation::swept(1e-6, from, to, sweep);
             let history = History::penetration(4e-5).oscillate(oscillation, 20.0);
-            let trace = march(&material, &punch(history, 1e-6), 1e-5).unwrap();
+            let trace = integrate(&material, &punch(history, 1e-6), 1e-5).unwrap();
             let mut worst: f64 = 0.0;
             for cycle in trace.cycles.iter().skip(3) {
                 let omega = TAU / (cycle.end - cycle.start);
@@ -157,7 +157,7 @@ fn ramps_forces_and_frames_tell_one_stiffness() {
         ),
     ];
     for (name, problem) in cases {
-        let trace = march(&material, &problem, 1e-7).unwrap();
+        let trace = integrate(&material, &problem, 1e-7).unwrap();
         let last = trace.cycles.last().unwrap();
         let size = 4e-3 * storage.hypot(loss);
         let off = (last.storage_stiffness - 4e-3 * storage).hypot(last.loss_stiffness - 4e-3 * loss) / size;
@@ -166,9 +166,9 @@ fn ramps_forces_and_frames_tell_one_stiffness() {
     }
 }
 
-/// A stretch that oscillates until stationary ends early, in both marches at the same cycle, with what it would have had later.
+/// A segment that oscillates until stationary ends early, in both integrations at the same cycle, with what it would have had later.
 #[test]
-fn stationary_cycles_end_a_stretch() {
+fn stationary_cycles_end_a_segment() {
     let material = terms(1);
     let oscillation = Oscillation { until_stationary: true, ..Oscillation::steady(1e-6, 3.0) };
     let history = History::penetration(4e-5).oscillate(oscillation, 500.0).hold(1.0);
@@ -183,7 +183,7 @@ fn stationary_cycles_end_a_stretch() {
     assert!((end - (f64::from(last.number as u32) / 3.0 + 1.0)).abs() < 1e-9);
 }
 
-/// An adhesive sphere that oscillates: cycles agree between marches, the work of a cycle is what is dissipated, and nothing drifts.
+/// An adhesive sphere that oscillates: cycles agree between integrations, the work of a cycle is what is dissipated, and nothing drifts.
 #[test]
 fn an_adhesive_sphere_oscillates() {
     let adhesion = Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE });
@@ -191,12 +191,15 @@ fn an_adhesive_sphere_oscillates() {
     let problem = IndentationProblem { energies: true, ..IndentationProblem::new(SPHERE, adhesion, history) }.relaxed();
     let found = run(&rubber(), &problem).unwrap();
     let last = found.cycles.last().unwrap();
-    println!("{} steps, cycle work {:?}, radius {:?}, drift {:e}", found.march.work.steps, last.work, last.contact_radius, last.drift);
+    println!(
+        "{} steps, cycle work {:?}, radius {:?}, drift {:e}",
+        found.integration.work.steps, last.work, last.contact_radius, last.drift
+    );
     let balance = found.balance_defect.unwrap();
     println!("balance {balance:e}");
     assert!(balance < 1e-4);
     // ∮F dΔ over the last cycle against the energies of the path itself: work in = dissipated − tip work, stored energy returns.
-    let at = |time: f64| found.march.path.iter().rfind(|point| point.time <= time * (1.0 + 1e-12)).unwrap().energies.unwrap();
+    let at = |time: f64| found.integration.path.iter().rfind(|point| point.time <= time * (1.0 + 1e-12)).unwrap().energies.unwrap();
     let (start, end) = (at(last.start), at(last.end));
     let work = end.external_work - start.external_work;
     println!("∮F dΔ {:e} by energies {work:e}", last.work.value);
@@ -205,7 +208,7 @@ fn an_adhesive_sphere_oscillates() {
     assert!(found.cycles.iter().all(|cycle| cycle.work.error.is_finite()));
 }
 
-/// Every extreme and sum of a cycle of a sphere that sticks, and slips in and out: from the points of a tighter march alone, by straight lines.
+/// Every extreme and sum of a cycle of a sphere that sticks, and slips in and out: from the points of a tighter integration alone, by straight lines.
 #[test]
 fn cycles_are_what_the_path_says() {
     let adhesion = Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE });
@@ -214,7 +217,7 @@ fn cycles_are_what_the_path_says() {
     {
         let history = History::penetration(start).oscillate(oscillation, 100.0);
         let problem = IndentationProblem::new(SPHERE, adhesion, history).relaxed();
-        let (measured, fine) = (march(&rubber(), &problem, 1e-3).unwrap(), march(&rubber(), &problem, 1e-5).unwrap());
+        let (measured, fine) = (integrate(&rubber(), &problem, 1e-3).unwrap(), integrate(&rubber(), &problem, 1e-5).unwrap());
         assert!(measured.cycles.len() >= 4);
         let mut worst = [0.0_f64; 5];
         for cycle in &measured.cycles {
@@ -265,7 +268,7 @@ fn cycles_are_what_the_path_says() {
         }
         println!("{} points a cycle; Δ, F, a, work, stiffness off {worst:?}", fine.path.len() / measured.cycles.len());
         // Between points an angle h apart a sinus goes h²/8 of its amplitude beyond them, and a trapezoid misses h²/12 of it; the work is a difference of
-        // halves. What the cycles' own march leaves, at 1e-3 of its path, is below 5e-4.
+        // halves. What the cycles' own integration leaves, at 1e-3 of its path, is below 5e-4.
         let step = fine.path.windows(2).fold(0.0_f64, |most, pair| {
             most.max(TAU * (oscillation.cycles_at(pair[1].time, 100.0) - oscillation.cycles_at(pair[0].time, 100.0)))
         });

@@ -4,7 +4,7 @@
 //!
 //! Goal: the state is the one that cycles without end lead to, its numbers lie within their bounds, and it costs a few cycles whatever the spectrum.
 //!
-//! Oracles: another program (its own errors named); sixty cycles by the time integration in steps (`march`, measured once at a tolerance of 1e-4: 40 s); the
+//! Oracles: another program (its own errors named); sixty cycles by the time integration in steps (`integrate`, measured once at a tolerance of 1e-4: 40 s); the
 //! fundamental of the elastic contact at rest (`elastic_contact`), which slow cycles follow; the power balance of the contact; the same in other units; the same
 //! at a tighter accuracy, which the bounds of the looser one must cover.
 //!
@@ -12,14 +12,14 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::{PI, TAU};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::Refusal;
 use viscotack::indentation::by_panels::{PeriodicState, solve_periodic};
 use viscotack::indentation::{Adhesion, History, IndentationProblem, Oscillation, Profile, elastic_contact};
 use viscotack::material::CreepTerm;
 
-fn one_term() -> Material {
-    Material::from_creep(10.0, &[CreepTerm { compliance: 0.9, retardation_time: 10.0 }], None).unwrap()
+fn one_term() -> PlaneMaterial {
+    PlaneMaterial::from_creep(10.0, &[CreepTerm { compliance: 0.9, retardation_time: 10.0 }], None).unwrap()
 }
 
 fn problem(mean: f64, amplitude: f64, omega: f64, (work, zone): (f64, f64)) -> IndentationProblem {
@@ -127,7 +127,7 @@ fn slow_cycles_follow_the_elastic_contact() {
 #[test]
 fn units_do_not_matter() {
     let plain = solve_periodic(&one_term(), &first(), 8).unwrap();
-    let material = Material::from_creep(1e7, &[CreepTerm { compliance: 0.9e-6, retardation_time: 0.1 }], None).unwrap();
+    let material = PlaneMaterial::from_creep(1e7, &[CreepTerm { compliance: 0.9e-6, retardation_time: 0.1 }], None).unwrap();
     let adhesion = Adhesion { work_of_adhesion: 1e-4 * PI * 1e3, process_zone: 8e-6 };
     let history = History::penetration(2e-5).oscillate(Oscillation::steady(2e-6, 100.0 / TAU), TAU / 100.0);
     let asked = IndentationProblem::new(Profile::Paraboloid { radius: 1e-3 }, Some(adhesion), history).relaxed();
@@ -143,10 +143,10 @@ fn units_do_not_matter() {
 }
 
 /// n terms of equal compliance, over decades.
-fn broad(count: i32, decades: f64) -> Material {
+fn broad(count: i32, decades: f64) -> PlaneMaterial {
     let time = |k: i32| 10f64.powf(decades * (f64::from(k) / f64::from((count - 1).max(1)) - 0.5));
     let term = |k: i32| CreepTerm { compliance: 7.0 / f64::from(count), retardation_time: time(k) };
-    Material::from_creep(3.0, &(0..count).map(term).collect::<Vec<_>>(), None).unwrap()
+    PlaneMaterial::from_creep(3.0, &(0..count).map(term).collect::<Vec<_>>(), None).unwrap()
 }
 
 /// Twelve terms over twelve decades, cycles faster and slower: a few cycles each; looser bounds cover tighter values.

@@ -16,21 +16,21 @@
 //! Tolerance: 1e-8 of the largest force: the line is exact at its nodes, what remains is interpolation where the edge returns.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use viscotack::Material;
-use viscotack::indentation::{Contact, History, IndentationProblem, Profile, Springs, Sweep, march};
+use viscotack::PlaneMaterial;
+use viscotack::indentation::{Contact, History, IndentationProblem, Profile, Springs, Sweep, integrate};
 use viscotack::material::{CreepTerm, RelaxationTerm};
 use viscotack::special::gauss_legendre::UNIT_RULE_20;
 
 const RADIUS: f64 = 2e-3;
 const SPHERE: Profile = Profile::Paraboloid { radius: RADIUS };
 
-fn solids() -> Vec<Material> {
+fn solids() -> Vec<PlaneMaterial> {
     let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
     let creep = |compliance, retardation_time| CreepTerm { compliance, retardation_time };
     vec![
-        Material::standard_solid(0.7e6, 9e6, 3.0).unwrap(),
-        Material::from_relaxation(1.1, &[term(3.0, 0.02), term(5.0, 0.7), term(0.4, 40.0)]).unwrap(),
-        Material::from_creep(
+        PlaneMaterial::standard_solid(0.7e6, 9e6, 3.0).unwrap(),
+        PlaneMaterial::from_relaxation(1.1, &[term(3.0, 0.02), term(5.0, 0.7), term(0.4, 40.0)]).unwrap(),
+        PlaneMaterial::from_creep(
             2e9,
             &[creep(1e-9, 1e-3), creep(3e-10, 2e-2), creep(5e-9, 0.1), creep(1e-10, 0.13), creep(2e-8, 5.0), creep(1e-9, 90.0)],
             None,
@@ -84,19 +84,19 @@ fn flat_punch_steps_and_ramps() {
 fn a_cone_is_sneddons() {
     for (modulus, angle) in [(1.3, 1.2_f64), (4.1e6, 1.5)] {
         let slope = 1.0 / angle.tan();
-        let springs_of = |material: &Material| Springs::new(material).unwrap();
-        let solid = Material::elastic(modulus);
+        let springs_of = |material: &PlaneMaterial| Springs::new(material).unwrap();
+        let solid = PlaneMaterial::elastic(modulus);
         let elastic = springs_of(&solid.unwrap());
         let a = 2e-4;
         let depth = 0.5 * std::f64::consts::PI * a * slope;
         let cone = Contact::untouched(&elastic, Profile::Cone { slope }, a, depth).unwrap();
         let exact = 2.0 / std::f64::consts::PI * modulus * depth * depth * angle.tan();
         assert!((cone.force() / exact - 1.0).abs() < 1e-12, "{} {exact}", cone.force());
-        // Without adhesion the edge bears nothing.
+        // Without adhesion the edge carries nothing.
         assert!(cone.stress_intensity_factor().abs() < 1e-12 * modulus * slope * a.sqrt());
         let problem =
             IndentationProblem { accuracy: 1e-8, ..IndentationProblem::new(Profile::Cone { slope }, None, History::penetration(depth)) };
-        let trace = march(&Material::elastic(modulus).unwrap(), &problem, 1e-6).unwrap();
+        let trace = integrate(&PlaneMaterial::elastic(modulus).unwrap(), &problem, 1e-6).unwrap();
         let start = trace.path[0];
         assert!((start.contact_radius / a - 1.0).abs() < 1e-12 && (start.force / exact - 1.0).abs() < 1e-12, "{start:?}");
     }
@@ -204,7 +204,7 @@ fn lee_radok_and_ting() {
         let (a_m, up, down) = (0.2e-3, 2.0, 1.5);
         let problem = |history| IndentationProblem { instants_per_segment: 4, ..IndentationProblem::new(SPHERE, None, history) };
         let history = History::contact_radius(1e-9 * a_m).ramp(a_m, up).ramp(0.25 * a_m, down);
-        let trace = march(&material, &problem(history), 1e-9).unwrap();
+        let trace = integrate(&material, &problem(history), 1e-9).unwrap();
         let peak = trace.path.iter().fold(0.0f64, |most, point| most.max(point.force));
         let mut worst: f64 = 0.0;
         for &kept in &trace.kept[1..] {
@@ -223,7 +223,7 @@ fn lee_radok_and_ting() {
         let depth = a_m * a_m / RADIUS;
         let solved = problem(History::penetration(0.0).ramp(depth, up).ramp(0.3 * depth, down));
         for tolerance in [1e-6, 1e-7] {
-            let trace = march(&material, &solved, tolerance).unwrap();
+            let trace = integrate(&material, &solved, tolerance).unwrap();
             let mut worst: f64 = 0.0;
             let mut worst_down: f64 = 0.0;
             for &kept in &trace.kept[1..] {

@@ -3,7 +3,7 @@
 //! Source: Sneddon 1965, f(s) = s∫₀^s z′(r)/√(s² − r²) dr; `reference_data/indentation_shape.csv` (mpmath, closed form at 60 and quadrature at 42 digits).
 //! Goal: the line profile of the cubic through given points, its slope; convergence to the line profile of the shape that was sampled; contacts; refusals.
 //! Parameters: even and uneven points, a sharp tip, a worn flat; paraboloid, cone, power 2.7, sphere, with 9 to 129 points.
-//! Oracle: mpmath; f = s²/R, (π/2)·slope·s, the Beta function for a power, (s/2)ln((R + s)/(R − s)) for a sphere; the march of the paraboloid itself.
+//! Oracle: mpmath; f = s²/R, (π/2)·slope·s, the Beta function for a power, (s/2)ln((R + s)/(R − s)) for a sphere; the integration of the paraboloid itself.
 //! Tolerance: 1e-12 for what rounding alone limits; for sampled shapes what the number of points leaves, stated with each.
 #![allow(clippy::expect_used, clippy::unwrap_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
@@ -14,7 +14,7 @@ use support::indentation::{SPHERE, WORK, ZONE, rubber};
 use support::reference_rows;
 use viscotack::Refusal;
 use viscotack::indentation::{
-    Adhesion, History, IndentationProblem, Panel, Profile, Zone, elastic_contact, elastic_contact_of_radius, march, zone_work,
+    Adhesion, History, IndentationProblem, Panel, Profile, Zone, elastic_contact, elastic_contact_of_radius, integrate, zone_work,
 };
 
 fn sampled(points: usize, end: f64, z: impl Fn(f64) -> f64) -> Profile {
@@ -96,15 +96,15 @@ fn sphere_and_power_converge() {
 
 /// Forces of the paraboloid and of its points: one path, the same steps; 1e-9 of the largest force, what roots of the closure leave.
 #[test]
-fn a_march_with_points_is_that_of_the_paraboloid() {
+fn an_integration_with_points_is_that_of_the_paraboloid() {
     let table = sampled(41, 0.6, |r| 0.5 * r * r);
     for adhesion in [Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE }), None] {
-        let marched = |profile: Profile| {
+        let integrated = |profile: Profile| {
             let history = History::penetration(0.0).ramp(0.02, 1.0).hold(1.0).ramp(-0.03, 2.0);
             let problem = IndentationProblem { instants_per_segment: 5, ..IndentationProblem::new(profile, adhesion, history) };
-            march(&rubber(), &problem, 1e-5).unwrap()
+            integrate(&rubber(), &problem, 1e-5).unwrap()
         };
-        let (own, other) = (marched(SPHERE), marched(table.clone()));
+        let (own, other) = (integrated(SPHERE), integrated(table.clone()));
         let largest = own.path.iter().fold(0.0f64, |most, point| most.max(point.force.abs()));
         let mut worst: f64 = 0.0;
         for (first, second) in own.kept.iter().zip(&other.kept) {
@@ -174,7 +174,7 @@ fn beyond_the_last_point_is_refused() {
             for relaxed in [false, true] {
                 let problem = IndentationProblem::new(table.clone(), adhesion, history.clone());
                 let problem = if relaxed { problem.relaxed() } else { problem };
-                match march(&rubber(), &problem, 1e-3) {
+                match integrate(&rubber(), &problem, 1e-3) {
                     Err(Refusal::NoSuchState { limit_name, limit, .. }) => {
                         assert_eq!((limit_name, limit), ("the radius of its last point", 0.2));
                     }
@@ -215,9 +215,9 @@ fn wrong_points_are_refused() {
     assert!(matches!(Profile::table(&plateau), Err(Refusal::NoSuchState { .. })));
 }
 
-/// Rough tables: heights that rise by noise, of a rough tip, of steps, of a flat with one asperity. Where terms of f′ cancel, its series must be taken to end where rounding
-/// begins: 2e-15 of a small difference is never reached, and halving for it fills the memory. Oracle: f by Gauss's rule in θ from point to point, r = s sin θ, of
-/// the slopes of the cubic. 1e-12: sums of a few hundred numbers.
+/// Rough tables: heights that rise by noise, of a rough tip, of steps, of a flat with one asperity. Where terms of f′ cancel, its series must be taken to end where
+/// rounding begins: 2e-15 of a small difference is never reached, and halving for it fills the memory. Oracle: f by Gauss's rule in θ from point to point, r = s sin θ,
+/// of the slopes of the cubic. 1e-12: sums of a few hundred numbers.
 #[test]
 fn rough_points_end_with_a_shape_or_a_refusal() {
     const NODES: [(f64, f64); 4] = [
@@ -226,7 +226,7 @@ fn rough_points_end_with_a_shape_or_a_refusal() {
         (0.796_666_477_413_626_7, 0.222_381_034_453_374_5),
         (0.960_289_856_497_536_2, 0.101_228_536_290_376_3),
     ];
-    let (told, tell) = std::sync::mpsc::channel();
+    let (reported, tell) = std::sync::mpsc::channel();
     std::thread::spawn(move || {
         let mut seed = 20_261_125_u64;
         let mut drawn = move || {
@@ -296,7 +296,7 @@ fn rough_points_end_with_a_shape_or_a_refusal() {
                 }
             }
         }
-        told.send((shapes, refused)).unwrap();
+        reported.send((shapes, refused)).unwrap();
     });
     let (shapes, refused) = tell.recv_timeout(std::time::Duration::from_secs(120)).expect("a shape does not end, or is wrong");
     println!("{shapes} shapes, {refused} that flatten outwards");

@@ -7,13 +7,13 @@
 //! Parameters: in the files' `inputs`; one and three relaxation times, spheres and cones, reduced and SI numbers.
 //! Oracle: the closure in real space (p(r) and gap by Sneddon's integrals, then 4.9), the integrals of Lee & Radok and of Ting, edges found place by
 //! place instead of step by step.
-//! Tolerance: rounding for closed numbers, stated with each; for histories the solver's own error bars, which must therefore be honest.
+//! Tolerance: rounding for closed numbers, stated with each; for histories the solver's own error bounds, which must therefore be honest.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::path::Path;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{
     Adhesion, Contact, History, IndentationProblem, IndentationSolution, Panel, Profile, Springs, Start, Sweep, Zone, elastic_contact,
     elliptic_k, run, zone_work,
@@ -36,11 +36,11 @@ impl Row {
     fn cell(&self, place: usize) -> f64 {
         self.cells[place].parse().unwrap()
     }
-    fn material(&self) -> Material {
+    fn material(&self) -> PlaneMaterial {
         let numbers: Vec<Vec<f64>> =
             self.text("material").split(';').map(|part| part.split(',').map(|number| number.parse().unwrap()).collect()).collect();
         let terms: Vec<_> = numbers[1..].iter().map(|pair| RelaxationTerm { modulus: pair[0], relaxation_time: pair[1] }).collect();
-        Material::from_relaxation(numbers[0][0], &terms).unwrap()
+        PlaneMaterial::from_relaxation(numbers[0][0], &terms).unwrap()
     }
     fn profile(&self) -> Profile {
         match self.text("shape") {
@@ -131,7 +131,7 @@ fn solved(row: &Row, profile: Profile, adhesion: Option<Adhesion>, history: Hist
     run(&row.material(), &problem).unwrap()
 }
 
-/// Up and down under an imposed edge: each value within its own error bar, and that bar within 1e-8 of the largest value.
+/// Up and down under an imposed edge: each value within its own error bound, and that bound within 1e-8 of the largest value.
 #[test]
 fn lee_radok_and_ting_by_their_integrals() {
     let mut cases: Vec<Row> = Vec::new();
@@ -160,7 +160,7 @@ fn lee_radok_and_ting_by_their_integrals() {
         worst = worst.max(error / scale);
         least = least.max(found.error / scale);
     }
-    println!("{} values, worst {worst:.1e}, widest bar {least:.1e}", cases.len());
+    println!("{} values, worst {worst:.1e}, widest bound {least:.1e}", cases.len());
     assert!(cases.len() >= 36 && least < 1e-8);
 }
 
@@ -186,7 +186,7 @@ fn flat_punch_relaxes() {
     assert_eq!(found.len(), 6);
 }
 
-/// Cells are time, penetration, force, radius, digits. Each value within the solver's error bar plus the reference's own.
+/// Cells are time, penetration, force, radius, digits. Each value within the solver's error bound plus the reference's own.
 #[test]
 fn adhesive_histories_by_passing_times() {
     let found = rows("indentation_march.csv");
@@ -224,5 +224,5 @@ fn adhesive_histories_by_passing_times() {
     }
     println!("{} instants, worst {worst:.1e}", found.len());
     assert!(found.len() >= 24 && worst < 1e-6);
-    assert!(beyond.is_empty(), "outside their own error bars: {beyond:?}");
+    assert!(beyond.is_empty(), "outside their own error bounds: {beyond:?}");
 }

@@ -15,9 +15,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{
-    Adhesion, EventKind, History, IndentationProblem, Profile, elastic_contact, elastic_contact_of_radius, march, run,
+    Adhesion, EventKind, History, IndentationProblem, Profile, elastic_contact, elastic_contact_of_radius, integrate, run,
 };
 
 const WORK: f64 = 1.6e-4 * PI;
@@ -26,8 +26,8 @@ const BETA: f64 = 10.0;
 const SPHERE: Profile = Profile::Paraboloid { radius: 1.0 };
 
 /// β = 10 with relaxation time 1, retardation time 10.
-fn rubber() -> Material {
-    Material::standard_solid(1.0, BETA, BETA).unwrap()
+fn rubber() -> PlaneMaterial {
+    PlaneMaterial::standard_solid(1.0, BETA, BETA).unwrap()
 }
 
 fn retraction(speed: f64, end: f64) -> IndentationProblem {
@@ -39,7 +39,7 @@ fn retraction(speed: f64, end: f64) -> IndentationProblem {
     }
 }
 
-/// F_off at five speeds over five decades: the coarse step is judged by the fine one, and the change falls at least like the step.
+/// F_off at five speeds over five decades: the coarse step is assessed by the fine one, and the change falls at least like the step.
 #[test]
 fn pull_off_converges_at_every_speed() {
     let jkr = 1.5 * PI * WORK;
@@ -49,7 +49,7 @@ fn pull_off_converges_at_every_speed() {
             .iter()
             .map(|&tolerance| {
                 let problem = retraction(speed, end);
-                let trace = march(&rubber(), &problem, tolerance).unwrap();
+                let trace = integrate(&rubber(), &problem, tolerance).unwrap();
                 let balance = trace.balance_defect().unwrap();
                 println!(
                     "V {speed:e}: {tolerance:e}: {} steps, {} closures, {} panels, balance {balance:e}, {:?}",
@@ -71,18 +71,18 @@ fn pull_off_converges_at_every_speed() {
 
 /// Slow enough, the contact is the elastic one of modulus E0 at the same process zone, all along.
 #[test]
-fn slow_retraction_is_soft_and_fast_elastic_twins_agree() {
+fn slow_retraction_is_soft_and_fast_elastic_limits_agree() {
     let problem = retraction(1e-8, 0.0);
-    let trace = march(&rubber(), &problem, 1e-3).unwrap();
+    let trace = integrate(&rubber(), &problem, 1e-3).unwrap();
     for &kept in &trace.kept {
         let point = trace.path[kept];
         let elastic = elastic_contact(&SPHERE, 1.0, WORK, ZONE, point.penetration).unwrap();
         println!("slow: {:e} {:e}", point.contact_radius / elastic.contact_radius - 1.0, point.force / elastic.force - 1.0);
         assert!((point.contact_radius / elastic.contact_radius - 1.0).abs() < 1e-4);
     }
-    // An elastic material on the same march makes no error in time at all.
-    let elastic = Material::from_relaxation(1.0, &[]).unwrap();
-    let trace = march(&elastic, &problem, 1e-3).unwrap();
+    // An elastic material on the same integration makes no error in time at all.
+    let elastic = PlaneMaterial::from_relaxation(1.0, &[]).unwrap();
+    let trace = integrate(&elastic, &problem, 1e-3).unwrap();
     for point in &trace.path {
         let exact = elastic_contact_of_radius(&SPHERE, 1.0, WORK, ZONE, point.contact_radius).unwrap();
         assert!((point.penetration - exact.penetration).abs() < 1e-10 * 0.032);
@@ -101,7 +101,7 @@ fn fast_retraction_is_the_closed_form() {
             history: History::penetration(depth).at_speed(0.048, 1e5),
             ..retraction(1.0, 0.0)
         };
-        let trace = march(&rubber(), &problem, 1e-3).unwrap();
+        let trace = integrate(&rubber(), &problem, 1e-3).unwrap();
         let start = trace.path[0];
         let place = trace.path.iter().find(|point| point.contact_radius < start.contact_radius - 0.02).unwrap();
         let a = place.contact_radius;
@@ -121,11 +121,11 @@ fn fast_retraction_is_the_closed_form() {
     }
 }
 
-/// Pa, m, s → MPa, mm, ms: same numbers, and errors of the estimates that cover a march four times finer.
+/// Pa, m, s → MPa, mm, ms: same numbers, and errors of the estimates that cover an integration four times finer.
 #[test]
-fn units_and_error_bars() {
+fn units_and_error_bounds() {
     let (modulus, radius, time) = (0.83e6, 2.7e-3, 0.4);
-    let material = Material::standard_solid(modulus, BETA * modulus, BETA * time).unwrap();
+    let material = PlaneMaterial::standard_solid(modulus, BETA * modulus, BETA * time).unwrap();
     let speed = 3e-3 * radius / time;
     let problem = |length: f64, stress: f64, second: f64| {
         let adhesion = Adhesion { work_of_adhesion: WORK * modulus * radius * stress * length, process_zone: ZONE * radius * length };
@@ -137,14 +137,14 @@ fn units_and_error_bars() {
         }
     };
     let si = run(&material, &problem(1.0, 1.0, 1.0)).unwrap();
-    let other = Material::standard_solid(modulus * 1e-6, BETA * modulus * 1e-6, BETA * time * 1e3).unwrap();
+    let other = PlaneMaterial::standard_solid(modulus * 1e-6, BETA * modulus * 1e-6, BETA * time * 1e3).unwrap();
     let mm = run(&other, &problem(1e3, 1e-6, 1e3)).unwrap();
-    let judge = march(&material, &problem(1.0, 1.0, 1.0), 1e-9).unwrap();
+    let assess = integrate(&material, &problem(1.0, 1.0, 1.0), 1e-9).unwrap();
     for (index, (first, second)) in si.instants.iter().zip(&mm.instants).enumerate() {
         // The root of each step is found to 1e-10.
         assert!((first.contact_radius.value * 1e3 / second.contact_radius.value - 1.0).abs() < 1e-7);
         assert!((first.force.value - second.force.value).abs() < 1e-7 * first.force.value.abs());
-        let truth = judge.path[judge.kept[index]];
+        let truth = assess.path[assess.kept[index]];
         println!(
             "t {:.4}: F {:e} ± {:e}, off {:e}; a ± {:e}, off {:e}; U ± {:e}, off {:e}",
             first.time,

@@ -22,11 +22,11 @@ use std::f64::consts::PI;
 use std::path::Path;
 use std::sync::Arc;
 use support::{Row, reference_rows};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::closure::work_by_speed::WorkBySpeed;
 use viscotack::elastic::KendallPunch;
 use viscotack::indentation::{
-    Adhesion, EdgeLaw, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Start, march, run,
+    Adhesion, EdgeLaw, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Start, integrate, run,
 };
 use viscotack::material::CreepTerm;
 
@@ -38,7 +38,7 @@ fn growing(problem: IndentationProblem) -> IndentationProblem {
     IndentationProblem { edge_law: EdgeLaw { growing_zone: true, ..EdgeLaw::CONSTANT }, ..problem }
 }
 
-fn solved(material: &Material, problem: &IndentationProblem) -> IndentationSolution {
+fn solved(material: &PlaneMaterial, problem: &IndentationProblem) -> IndentationSolution {
     let found = run(material, problem).unwrap_or_else(|refusal| panic!("{problem:?}: {refusal}"));
     // Just off the rim a slow pull takes steps of the last digits of the clock.
     assert!(found.reached && found.residual < 1e-5, "{:e}", found.residual);
@@ -51,7 +51,7 @@ fn pull_off(found: &IndentationSolution) -> f64 {
 
 /// The last instant at the rim, and the pull there.
 fn let_go(found: &IndentationSolution, radius: f64) -> (f64, f64) {
-    let held = found.march.path.iter().take_while(|point| point.contact_radius >= radius).last().unwrap();
+    let held = found.integration.path.iter().take_while(|point| point.contact_radius >= radius).last().unwrap();
     (held.time, -held.force)
 }
 
@@ -59,7 +59,8 @@ fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
 }
 
-/// Process zone over the radius of a state. Dugdale: δ = (π²/6) K²/(2πσ_c²) is two thirds of the exact length z, and follows K. Smooth laws: one length each, chosen once.
+/// Process zone over the radius of a state. Dugdale: δ = (π²/6) K²/(2πσ_c²) is two thirds of the exact length z, and follows K. Smooth laws: one length each, chosen
+/// once.
 fn zone_of(state: &Value) -> (f64, bool) {
     match state["model"].as_str().unwrap() {
         "dugdale" => (2.0 / 3.0 * state["parameters"]["z"].as_f64().unwrap(), true),
@@ -84,7 +85,7 @@ fn twelve_exact_states() {
             .zip(numbers(&state["creep"]["tau"]))
             .map(|(compliance, retardation_time)| CreepTerm { compliance, retardation_time })
             .collect();
-        let material = Material::from_creep(1.0 / state["creep"]["instant"].as_f64().unwrap(), &terms, None).unwrap();
+        let material = PlaneMaterial::from_creep(1.0 / state["creep"]["instant"].as_f64().unwrap(), &terms, None).unwrap();
         let preload = state["preload"].as_f64().unwrap();
         let pieces = state["pieces"].as_array().unwrap();
         let by_depth = pieces[0][1] == "D";
@@ -121,12 +122,13 @@ fn twelve_exact_states() {
     }
 }
 
-/// Rubber of E0 = 1 MPa, E∞ = 10 MPa under a punch of 100 µm, and the same in other units: the fast pull is that of a glassy punch after any preload, the slow one that of a soft one.
+/// Rubber of E0 = 1 MPa, E∞ = 10 MPa under a punch of 100 µm, and the same in other units: the fast pull is that of a glassy punch after any preload, the slow one that
+/// of a soft one.
 #[test]
 fn kendall_at_both_ends_whatever_the_preload() {
     // E*, length, work, time.
     for (modulus, length, work, time) in [(1e6 / 0.75, 1e-4, 0.05, 0.1), (2.7, 3.1, 0.4, 50.0)] {
-        let material = Material::standard_solid(modulus, 10.0 * modulus, 0.1 * time).unwrap();
+        let material = PlaneMaterial::standard_solid(modulus, 10.0 * modulus, 0.1 * time).unwrap();
         let zone = 1e-3 * length;
         let opening = (2.0 * PI * length * work / modulus).sqrt();
         let holds = |modulus: f64| KendallPunch::new(length, modulus, work).unwrap().pull_off_force().unwrap();
@@ -148,7 +150,7 @@ fn kendall_at_both_ends_whatever_the_preload() {
 /// 0.001a at V = 0.3 (theory notes). The rule lets go up to 9 % early (1.055 here).
 #[test]
 fn letting_go_is_not_pull_off() {
-    let material = Material::standard_solid(1.0, 10.0, 1.0).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 10.0, 1.0).unwrap();
     let (kendall, unit) = ((8.0 * PI).sqrt(), (2.0 * PI).sqrt());
     let history = History::penetration(5.0 * unit).at_speed(-6.0 * unit, 0.3);
     let found = solved(&material, &growing(punch(1.0, 1.0, 2e-3 / 3.0, history)));
@@ -157,7 +159,7 @@ fn letting_go_is_not_pull_off() {
     assert!((force / kendall / 1.10 - 1.0).abs() < 0.05 && (pull_off(&found) / kendall / 2.25 - 1.0).abs() < 0.02);
 }
 
-fn of_row(row: &Row) -> (Material, IndentationProblem) {
+fn of_row(row: &Row) -> (PlaneMaterial, IndentationProblem) {
     let pair = |text: &str| {
         let (first, second) = text.split_once(',').unwrap();
         (first.parse::<f64>().unwrap(), second.parse::<f64>().unwrap())
@@ -181,7 +183,7 @@ fn of_row(row: &Row) -> (Material, IndentationProblem) {
         .text("law")
         .split_once(';')
         .map(|(speed, exponent)| WorkBySpeed::power(speed.parse().unwrap(), exponent.parse().unwrap()).unwrap());
-    (Material::from_creep(glassy.parse().unwrap(), &terms, None).unwrap(), problem)
+    (PlaneMaterial::from_creep(glassy.parse().unwrap(), &terms, None).unwrap(), problem)
 }
 
 /// β from 3 to 100, one to three terms, preloads that have relaxed and that have not, a pull before the last one, works of adhesion that follow the speed of the edge.
@@ -219,7 +221,7 @@ fn the_raw_closure_by_quadrature() {
 #[test]
 fn faces_that_are_not_flat() {
     for (modulus, rim, work, time) in [(1e6 / 0.75, 5e-5, 0.05, 0.1), (2.7, 3.1, 0.4, 50.0)] {
-        let material = Material::standard_solid(modulus, 10.0 * modulus, time).unwrap();
+        let material = PlaneMaterial::standard_solid(modulus, 10.0 * modulus, time).unwrap();
         let unit = (2.0 * PI * rim * work / modulus).sqrt();
         // Of height h at the rim: f and ∫f ds there.
         let faces = |h: f64| {
@@ -261,7 +263,7 @@ fn faces_that_are_not_flat() {
 /// A sphere whose rim lies beyond its contact is a sphere; pressed out to the rim without adhesion, it is Hertz's up to there and a straight spring beyond.
 #[test]
 fn a_rim_out_of_reach_and_a_rim_reached() {
-    let material = Material::elastic(2.0).unwrap();
+    let material = PlaneMaterial::elastic(2.0).unwrap();
     let sphere = Profile::Paraboloid { radius: 5.0 };
     let rimmed = Profile::Rimmed { face: Arc::new(sphere.clone()), rim: 0.8 };
     let of = |profile: &Profile, adhesion: Option<Adhesion>, history: History| {
@@ -312,13 +314,14 @@ fn bounds_cover_errors() {
 /// An edge that has left the rim and comes back to it: pressed again and relaxed there, a fast pull is that of a glassy punch once more.
 #[test]
 fn an_edge_comes_back_to_the_rim() {
-    let material = Material::standard_solid(1.0, 10.0, 0.1).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 10.0, 0.1).unwrap();
     let unit = (2.0 * PI).sqrt();
     let history = History::penetration(unit).ramp(-1.15 * unit, 3.0).ramp(2.0 * unit, 3.0).hold(100.0).at_speed(-12.0 * unit, 1e6);
     let problem = IndentationProblem { accuracy: 1e-4, ..punch(1.0, 1.0, 1e-2, history) };
     let found = solved(&material, &problem);
-    let smallest = found.march.path.iter().filter(|point| point.time < 3.5).fold(1.0_f64, |least, point| least.min(point.contact_radius));
-    let back = found.march.path.iter().any(|point| point.time > 4.0 && point.contact_radius >= 1.0);
+    let smallest =
+        found.integration.path.iter().filter(|point| point.time < 3.5).fold(1.0_f64, |least, point| least.min(point.contact_radius));
+    let back = found.integration.path.iter().any(|point| point.time > 4.0 && point.contact_radius >= 1.0);
     let fresh = solved(&material, &punch(1.0, 1.0, 1e-2, History::penetration(2.0 * unit).at_speed(-12.0 * unit, 1e6)));
     println!("the edge went in to {smallest}; {} and {} from fresh", pull_off(&found), pull_off(&fresh));
     assert!(smallest < 0.999 && back);
@@ -328,7 +331,7 @@ fn an_edge_comes_back_to_the_rim() {
 /// A rigid frame is a penetration, a soft one a force; pulls of a force peak where the rim holds them.
 #[test]
 fn frames_between_penetration_and_force() {
-    let material = Material::standard_solid(1.0, 10.0, 0.1).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 10.0, 0.1).unwrap();
     let unit = (2.0 * PI).sqrt();
     let framed = |stiffness: f64| {
         // The indenter goes by about the same; a soft frame is drawn out as far as the pull wants.
@@ -348,14 +351,14 @@ fn frames_between_penetration_and_force() {
     }
 }
 
-/// Under a pull that swings below what the rim bears, it never lets go, and the stiffness is that of a punch; the chain beyond the rim opens and shuts in every cycle.
+/// Under a pull that swings below what the rim carries, it never lets go, and the stiffness is that of a punch; the chain beyond the rim opens and shuts in every cycle.
 #[test]
 fn a_rim_that_holds_a_swinging_load() {
-    let material = Material::standard_solid(1.0, 10.0, 0.1).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 10.0, 0.1).unwrap();
     let kendall = (8.0 * PI).sqrt();
     for mean in [0.3, 0.0, -0.3] {
         let history = History::force(mean * kendall).oscillate(Oscillation::steady(0.6 * kendall, 2.0), 5.0);
-        let trace = march(&material, &punch(1.0, 1.0, 1e-3, history), 1e-4).unwrap();
+        let trace = integrate(&material, &punch(1.0, 1.0, 1e-3, history), 1e-4).unwrap();
         assert!(trace.events.is_empty() && trace.path.iter().all(|point| point.contact_radius >= 1.0));
         let cycle = trace.cycles.last().unwrap();
         let modulus = material.complex_modulus(4.0 * PI).unwrap();

@@ -15,8 +15,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Start, march};
+use viscotack::PlaneMaterial;
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Start, integrate};
 use viscotack_verification::rivals::annulus_indentation::{AnnulusPath, AnnulusScheme, AnnulusStart};
 
 const WORK: f64 = 1.6e-4 * PI;
@@ -49,8 +49,8 @@ fn core(start: Start, corners: &[(f64, f64)]) -> Vec<[f64; 4]> {
         instants_per_segment: INSTANTS,
         ..IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, adhesion, history)
     };
-    let material = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
-    let trace = march(&material, &problem, 1e-6).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let trace = integrate(&material, &problem, 1e-6).unwrap();
     let instants = trace.kept.iter().map(|&kept| trace.path[kept]);
     instants.map(|point| [point.time, point.penetration, point.force, point.contact_radius]).collect()
 }

@@ -8,7 +8,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Adhesion, Event, EventKind, History, IndentationProblem, IndentationSolution, Instant, Profile, run};
 use viscotack::material::CreepTerm;
@@ -24,7 +24,7 @@ fn is(found: Estimate, exact: f64, tolerance: f64, what: &str) {
 fn an_elastic_sphere_has_the_states_of_jkr() {
     for (length, force) in [(1.0, 1.0), (1e3, 1.0)] {
         let (modulus, radius, work) = (3.2e6 * force / (length * length), 2e-3 * length, 0.07 * force / length);
-        let material = Material::elastic(modulus).unwrap();
+        let material = PlaneMaterial::elastic(modulus).unwrap();
         let unit = (9.0 * PI * work * radius * radius / (8.0 * modulus)).cbrt();
         let adhesion = Some(Adhesion { work_of_adhesion: work, process_zone: 1e-5 * unit });
         let start = 0.8 * unit * unit / radius;
@@ -61,9 +61,9 @@ fn an_elastic_sphere_has_the_states_of_jkr() {
     }
 }
 
-fn rubber() -> Material {
+fn rubber() -> PlaneMaterial {
     let term = |compliance, retardation_time| CreepTerm { compliance, retardation_time };
-    Material::from_creep(7e7, &[term(2e-7, 0.02), term(5e-7, 0.4), term(3e-7, 3.0)], None).unwrap()
+    PlaneMaterial::from_creep(7e7, &[term(2e-7, 0.02), term(5e-7, 0.4), term(3e-7, 3.0)], None).unwrap()
 }
 
 fn pulled(to: f64) -> IndentationProblem {
@@ -131,6 +131,6 @@ fn a_jump_has_the_state_that_the_instants_before_it_come_to() {
             "number {place}"
         );
     }
-    // Where the edge runs away nothing is left to be lost on the way.
+    // Where the edge accelerates unstably nothing is left to be lost on the way.
     assert!((jump.energy_release_rate.unwrap().value - jump.tip_release_rate.unwrap().value).abs() < 1e-12);
 }

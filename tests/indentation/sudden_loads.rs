@@ -6,23 +6,23 @@
 //!   step of Δ    a ──┐ pressed edge: compression meets overlapping faces, so the closure, a product, is positive again
 //!                    └──→ the edge must go out to the equilibrium of the new depth; the root of the pressed edge lies inwards
 //! ```
-//! Parameters: steps of 2 to 120 times the depth that the tension of the edge stands for, up and down (the march takes a sixteenth at once: above 32 the edge is pressed
-//! so hard that the product exceeds the work of adhesion); an elastic solid and β = 10; zones 0.02 to 1 % of the contact.
+//! Parameters: steps of 2 to 120 times the depth that the tension of the edge stands for, up and down (the integration takes a sixteenth at once: above 32 the edge is
+//! pressed so hard that the product exceeds the work of adhesion); an elastic solid and β = 10; zones 0.02 to 1 % of the contact.
 //!
 //! Oracle: elastic contacts at equal process zone (their own oracle: `indentation_reference_values`), and JKR's closed form at the same depth; for punches Kendall's
 //! pull-off and F = 2aΔ/J(t).
 //!
 //! Tolerance: 1e-9 against the elastic contact of the same zone, twice δ/a against JKR (first order in the zone); for punches rounding (1e-12) at the start, 1e-7 for
-//! creep (the march is asked for 1e-7), and 1e-3 for the pull-off (first order in a zone of 1e-4).
+//! creep (the integration is asked for 1e-7), and 1e-3 for the pull-off (first order in a zone of 1e-4).
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
 
 use std::f64::consts::PI;
 use support::indentation::{SPHERE, WORK};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::elastic::{EquilibriumBranch, JkrSphere, KendallPunch};
-use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Profile, elastic_contact, march};
+use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Profile, elastic_contact, integrate};
 use viscotack::refusal::Refusal;
 
 fn sphere(zone: f64, history: History) -> IndentationProblem {
@@ -31,11 +31,11 @@ fn sphere(zone: f64, history: History) -> IndentationProblem {
 
 #[test]
 fn a_large_step_of_penetration_finds_the_equilibrium_of_its_depth() {
-    let elastic = Material::elastic(1.0).unwrap();
+    let elastic = PlaneMaterial::elastic(1.0).unwrap();
     let closed = JkrSphere::new(1.0, 1.0, WORK).unwrap();
     for zone in [2e-3, 2e-4] {
         for (first, second) in [(0.01, 0.06), (0.02, 0.5), (0.01, 1.0), (0.01, 3.0), (0.5, 0.01), (3.0, 0.01)] {
-            let trace = march(&elastic, &sphere(zone, History::penetration(first).step(second)), 1e-3).unwrap();
+            let trace = integrate(&elastic, &sphere(zone, History::penetration(first).step(second)), 1e-3).unwrap();
             let end = trace.path.last().unwrap();
             let same_zone = elastic_contact(&SPHERE, 1.0, WORK, zone, second).unwrap();
             let off = [end.contact_radius / same_zone.contact_radius - 1.0, end.force / same_zone.force - 1.0];
@@ -48,15 +48,15 @@ fn a_large_step_of_penetration_finds_the_equilibrium_of_its_depth() {
     }
 }
 
-/// β = 10: at once the step is carried by E∞ upon what the relaxed contact held, so that the contact radius lies between those of the two depths, and after a thousand relaxation
-/// times nothing of the way is left.
+/// β = 10: at once the step is carried by E∞ upon what the relaxed contact held, so that the contact radius lies between those of the two depths, and after a thousand
+/// relaxation times nothing of the way is left.
 #[test]
 fn a_large_step_on_rubber_goes_outwards_and_relaxes() {
-    let rubber = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let rubber = PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap();
     for (first, second) in [(0.01, 0.1), (0.01, 0.4)] {
         let zone = 2e-3;
         let problem = sphere(zone, History::penetration(first).step(second).hold(1e4)).relaxed();
-        let trace = march(&rubber, &problem, 1e-3).unwrap();
+        let trace = integrate(&rubber, &problem, 1e-3).unwrap();
         let at_once = trace.path[trace.kept[1]];
         let [low, high] = [first, second].map(|depth| elastic_contact(&SPHERE, 1.0, WORK, zone, depth).unwrap());
         println!("{first} to {second}: {} between {} and {}", at_once.contact_radius, low.contact_radius, high.contact_radius);
@@ -70,11 +70,11 @@ fn a_large_step_on_rubber_goes_outwards_and_relaxes() {
 #[test]
 fn a_punch_starts_with_the_modulus_of_its_past() {
     let (radius, relaxed, beta) = (0.1, 1.0, 10.0);
-    let material = Material::standard_solid(relaxed, beta * relaxed, 10.0).unwrap();
+    let material = PlaneMaterial::standard_solid(relaxed, beta * relaxed, 10.0).unwrap();
     for adhesion in [None, Some(Adhesion { work_of_adhesion: WORK, process_zone: 1e-4 })] {
         let loaded = |force: f64| IndentationProblem::new(Profile::FlatPunch { radius }, adhesion, History::force(force).hold(30.0));
         for (problem, compliance) in [(loaded(0.02), 1.0 / (beta * relaxed)), (loaded(0.02).relaxed(), 1.0 / relaxed)] {
-            let trace = march(&material, &problem, 1e-7).unwrap();
+            let trace = integrate(&material, &problem, 1e-7).unwrap();
             let start = trace.path[0];
             assert!((start.penetration / (0.02 * compliance / (2.0 * radius)) - 1.0).abs() < 1e-12, "{start:?}");
             // A relaxed punch stays; a fresh one creeps.
@@ -91,7 +91,7 @@ fn a_punch_starts_with_the_modulus_of_its_past() {
         assert!((holds / (8.0 * PI * modulus * WORK * radius.powi(3)).sqrt() - 1.0).abs() < 1e-14);
         let pulled = |part: f64| {
             let problem = IndentationProblem::new(Profile::FlatPunch { radius }, adhesion, History::force(-part * holds));
-            march(&material, &if is_relaxed { problem.relaxed() } else { problem }, 1e-3)
+            integrate(&material, &if is_relaxed { problem.relaxed() } else { problem }, 1e-3)
         };
         // First order in the zone: δ/a = 1e-4.
         assert!(pulled(0.999).is_ok());

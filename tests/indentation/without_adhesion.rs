@@ -12,30 +12,30 @@
 //!
 //! Oracle: closed forms and Gauss quadrature of the hereditary integrals with R and J of the material, here in the test; identities.
 //!
-//! Tolerance: 1e-9 of the largest value, and the bounds told.
+//! Tolerance: 1e-9 of the largest value, and the bounds reported.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::FRAC_PI_2;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, run};
 use viscotack::material::{CreepTerm, RelaxationTerm};
 use viscotack::special::gauss_legendre::UNIT_RULE_20;
 
-fn solved(material: &Material, profile: Profile, history: History, accuracy: f64) -> IndentationSolution {
+fn solved(material: &PlaneMaterial, profile: Profile, history: History, accuracy: f64) -> IndentationSolution {
     let problem = IndentationProblem { accuracy, ..IndentationProblem::new(profile, None, history) };
     let solution = run(material, &problem).unwrap();
     assert!(solution.reached, "{:?}", solution.instants.last());
-    assert!(solution.smallest_gap_factor > -1e-12 * solution.march.summary.scales[0], "{}", solution.smallest_gap_factor);
+    assert!(solution.smallest_gap_factor > -1e-12 * solution.integration.summary.scales[0], "{}", solution.smallest_gap_factor);
     solution
 }
 
-fn six_terms() -> Material {
+fn six_terms() -> PlaneMaterial {
     let terms = [(3.0e5, 1e-3), (2e6, 0.04), (4e5, 0.5), (1e6, 3.0), (2e5, 40.0), (5e5, 900.0)];
     let terms = terms.map(|(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time });
-    Material::from_relaxation(4e5, &terms).unwrap()
+    PlaneMaterial::from_relaxation(4e5, &terms).unwrap()
 }
 
-/// ∫₀^t kernel(t − t′) g′(t′) dt′ over stretches, graded towards both ends of each.
+/// ∫₀^t kernel(t − t′) g′(t′) dt′ over segments, graded towards both ends of each.
 fn hereditary(kernel: &dyn Fn(f64) -> f64, rate: &dyn Fn(f64) -> f64, breaks: &[f64], time: f64) -> f64 {
     let mut total = 0.0;
     for pair in breaks.windows(2) {
@@ -67,7 +67,7 @@ fn press_hold_and_press_deeper() {
     for beta in [1.5, 10.0, 300.0] {
         for scale in [1.0, 1e-5] {
             let radius = 2.0 * scale;
-            let material = Material::standard_solid(0.7e6, 0.7e6 * beta, 10.0).unwrap();
+            let material = PlaneMaterial::standard_solid(0.7e6, 0.7e6 * beta, 10.0).unwrap();
             let (first, second) = (0.01 * radius, 0.02 * radius);
             let history = History::penetration(0.0).ramp(first, 1.0).hold(10.0).ramp(second, 1.0).hold(10.0);
             let solution = solved(&material, Profile::Paraboloid { radius }, history, 1e-6);
@@ -103,7 +103,7 @@ fn press_hold_and_press_deeper() {
 /// The contact lets go when Ting's condition has gone back to first touch, ∫₀^t R(t − t′)Δ̇ dt′ = 0, and never pulls.
 #[test]
 fn press_hold_and_retract_detaches() {
-    let material = Material::standard_solid(1e6 / (1.0 - 0.49 * 0.49), 1e7 / (1.0 - 0.49 * 0.49), 1.0).unwrap();
+    let material = PlaneMaterial::standard_solid(1e6 / (1.0 - 0.49 * 0.49), 1e7 / (1.0 - 0.49 * 0.49), 1.0).unwrap();
     for (profile, what) in [
         (Profile::Paraboloid { radius: 1e-3 }, "sphere"),
         (Profile::Cone { slope: 0.2 }, "cone"),
@@ -136,15 +136,15 @@ fn press_hold_and_retract_detaches() {
     }
 }
 
-/// An elastic contact has no past: a = f⁻¹(Δ) at every point of the path, oscillating, stepping, under a force.
+/// An elastic contact has no path history: a = f⁻¹(Δ) at every point of the path, oscillating, stepping, under a force.
 #[test]
 fn elastic_contacts_follow_at_every_instant() {
-    let material = Material::elastic(3e6).unwrap();
+    let material = PlaneMaterial::elastic(3e6).unwrap();
     let radius = 0.02;
     let history = History::penetration(1e-4).oscillate(Oscillation::steady(3e-5, 2.0), 1.5).step(2e-4).ramp(5e-5, 0.1).hold(1e4);
     for history in [history, History::force(0.1).ramp(0.5, 2.0).hold(1e5).step(0.7).ramp(1.0, 1e-3)] {
         let solution = solved(&material, Profile::Paraboloid { radius }, history, 1e-7);
-        for point in &solution.march.path {
+        for point in &solution.integration.path {
             let a = (point.penetration * radius).sqrt();
             assert!((point.contact_radius - a).abs() < 1e-11 * a, "{point:?}");
             let force = 4.0 / 3.0 * 3e6 * radius.sqrt() * point.penetration.powf(1.5);
@@ -159,7 +159,7 @@ fn elastic_contacts_follow_at_every_instant() {
 fn second_unloading() {
     let plane = 1.0 / (1.0 - 0.38 * 0.38);
     let term = |modulus: f64, relaxation_time| RelaxationTerm { modulus: modulus * plane, relaxation_time };
-    let material = Material::from_relaxation(1.5e9 * plane, &[term(7e8, 1.0), term(5e8, 10.0)]).unwrap();
+    let material = PlaneMaterial::from_relaxation(1.5e9 * plane, &[term(7e8, 1.0), term(5e8, 10.0)]).unwrap();
     let history = History::penetration(0.0).ramp(1e-5, 1.0).ramp(5e-6, 1.0).ramp(1e-5, 1.0).ramp(5e-6, 1.0).ramp(1.2e-5, 1.0);
     let solution = solved(&material, Profile::Paraboloid { radius: 0.01 }, history, 1e-4);
     for (place, right) in [(2, 2.880_315_891_1), (3, 10.744_075_17), (4, 2.291_501_439), (5, 14.146_086_213)] {
@@ -172,7 +172,7 @@ fn second_unloading() {
 /// Burgers' liquid under a force that is put on at once: a³ = (3/4)R F J(t); Maxwell's under a penetration.
 #[test]
 fn liquids() {
-    let burgers = Material::from_creep(1e10, &[CreepTerm { compliance: 1e-10, retardation_time: 1.0 }], Some(1e11)).unwrap();
+    let burgers = PlaneMaterial::from_creep(1e10, &[CreepTerm { compliance: 1e-10, retardation_time: 1.0 }], Some(1e11)).unwrap();
     let radius = 0.01;
     let history = History::force(100.0).hold(10.0).ramp(300.0, 5.0);
     let solution = solved(&burgers, Profile::Paraboloid { radius }, history, 1e-6);
@@ -184,7 +184,7 @@ fn liquids() {
     let a = (0.75 * radius * strain).cbrt();
     near(last.contact_radius.value, a, last.contact_radius.error, a, "a raised");
     let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
-    let melt = Material::from_relaxation(0.0, &[term(1e6, 1.0), term(1e5, 10.0)]).unwrap();
+    let melt = PlaneMaterial::from_relaxation(0.0, &[term(1e6, 1.0), term(1e5, 10.0)]).unwrap();
     for hold in [20.0, 300.0, 1e6] {
         let depth = 1e-5;
         let history = History::penetration(0.0).ramp(depth, 1.0).hold(hold).ramp(0.5 * depth, 1.0);
@@ -235,7 +235,9 @@ fn shapes_on_first_loading() {
 /// A force that only grows, over 12 decades of time, with steps and holds: met at every instant; its depth Lee and Radok's, for every shape.
 #[test]
 fn forces_that_grow_on_a_fresh_surface() {
-    for material in [six_terms(), Material::from_creep(1e6, &[], Some(1e9)).unwrap(), Material::standard_solid(1e6, 3e8, 0.02).unwrap()] {
+    for material in
+        [six_terms(), PlaneMaterial::from_creep(1e6, &[], Some(1e9)).unwrap(), PlaneMaterial::standard_solid(1e6, 3e8, 0.02).unwrap()]
+    {
         for profile in
             [Profile::Paraboloid { radius: 1e-3 }, Profile::Cone { slope: 0.1 }, Profile::PowerLaw { coefficient: 3e8, exponent: 4.0 }]
         {
@@ -289,7 +291,7 @@ fn what_is_solved_without_steps() {
 /// Thousands of cycles within bounded memory; each of the last ones is the one before.
 #[test]
 fn many_cycles_are_bounded() {
-    let material = Material::standard_solid(1e6, 8e6, 0.5).unwrap();
+    let material = PlaneMaterial::standard_solid(1e6, 8e6, 0.5).unwrap();
     let history = History::penetration(2e-5).oscillate(Oscillation::steady(6e-6, 1.0), 20_000.0);
     let solution = solved(&material, Profile::Paraboloid { radius: 1e-3 }, history, 1e-4);
     let last = solution.cycles.last().unwrap();

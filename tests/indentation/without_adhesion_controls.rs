@@ -12,10 +12,10 @@
 //!
 //! Oracle: closed forms, and Gauss quadrature of the hereditary integral with R of the material, here in the test.
 //!
-//! Tolerance: 1e-8 of the largest value, and the bounds told.
+//! Tolerance: 1e-8 of the largest value, and the bounds reported.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Controlled, EventKind, History, IndentationProblem, IndentationSolution, Instant, Oscillation, Profile, run};
 use viscotack::material::{CreepTerm, RelaxationTerm};
 use viscotack::special::gauss_legendre::UNIT_RULE_20;
@@ -24,7 +24,7 @@ const RADIUS: f64 = 1e-3;
 const SPHERE: Profile = Profile::Paraboloid { radius: RADIUS };
 const PUNCH: Profile = Profile::FlatPunch { radius: RADIUS };
 
-fn solved(material: &Material, profile: Profile, history: History, stiffness: Option<f64>) -> IndentationSolution {
+fn solved(material: &PlaneMaterial, profile: Profile, history: History, stiffness: Option<f64>) -> IndentationSolution {
     let problem = IndentationProblem {
         accuracy: 1e-6,
         frame_stiffness: stiffness,
@@ -33,17 +33,17 @@ fn solved(material: &Material, profile: Profile, history: History, stiffness: Op
     };
     let solution = run(material, &problem).unwrap();
     assert!(solution.reached);
-    assert!(solution.smallest_gap_factor > -1e-11 * solution.march.summary.scales[0], "{}", solution.smallest_gap_factor);
+    assert!(solution.smallest_gap_factor > -1e-11 * solution.integration.summary.scales[0], "{}", solution.smallest_gap_factor);
     solution
 }
 
-fn two_terms() -> Material {
+fn two_terms() -> PlaneMaterial {
     let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
-    Material::from_relaxation(1e6, &[term(3e6, 0.05), term(5e6, 2.0)]).unwrap()
+    PlaneMaterial::from_relaxation(1e6, &[term(3e6, 0.05), term(5e6, 2.0)]).unwrap()
 }
 
 /// J(t) and ∫₀^t J of a material.
-fn compliance(material: &Material, time: f64) -> [f64; 2] {
+fn compliance(material: &PlaneMaterial, time: f64) -> [f64; 2] {
     let mut sums = [material.creep(0.0), material.creep(0.0) * time];
     for CreepTerm { compliance, retardation_time } in material.creep_terms() {
         let risen = -(-time / retardation_time).exp_m1();
@@ -53,8 +53,8 @@ fn compliance(material: &Material, time: f64) -> [f64; 2] {
     sums
 }
 
-/// Δ of a punch by stretches (from, to, F there) and steps (when, by how much) of the force.
-fn punch_depth(material: &Material, ramps: &[(f64, f64, f64, f64)], steps: &[(f64, f64)], time: f64) -> f64 {
+/// Δ of a punch by segments (from, to, F there) and steps (when, by how much) of the force.
+fn punch_depth(material: &PlaneMaterial, ramps: &[(f64, f64, f64, f64)], steps: &[(f64, f64)], time: f64) -> f64 {
     let mut sum: f64 = steps.iter().filter(|step| step.0 <= time).map(|step| step.1 * compliance(material, time - step.0)[0]).sum();
     for &(from, to, first, last) in ramps.iter().filter(|ramp| ramp.0 < time) {
         let area = |start: f64| compliance(material, time - start)[1];
@@ -90,7 +90,7 @@ fn a_punch_under_a_force_that_is_lost_and_found() {
 
 #[test]
 fn a_punch_of_a_liquid_under_a_force_that_oscillates() {
-    let liquid = Material::from_creep(1e7, &[CreepTerm { compliance: 4e-7, retardation_time: 0.3 }], Some(2e7)).unwrap();
+    let liquid = PlaneMaterial::from_creep(1e7, &[CreepTerm { compliance: 4e-7, retardation_time: 0.3 }], Some(2e7)).unwrap();
     let history = History::force(0.02).oscillate(Oscillation::steady(0.005, 0.5), 6.0);
     let solution = solved(&liquid, PUNCH, history, None);
     assert_eq!(solution.cycles.len(), 3);
@@ -113,7 +113,7 @@ fn a_punch_of_a_liquid_under_a_force_that_oscillates() {
 
 #[test]
 fn a_punch_oscillates_under_a_penetration() {
-    let material = Material::elastic(2e6).unwrap();
+    let material = PlaneMaterial::elastic(2e6).unwrap();
     let solution = solved(&material, PUNCH, History::penetration(1e-5).oscillate(Oscillation::steady(4e-6, 3.0), 2.0), None);
     for instant in &solution.instants {
         near(instant.force, 2.0 * RADIUS * 2e6 * instant.penetration.value, 0.06, "F");
@@ -150,7 +150,7 @@ fn a_radius_out_and_back_is_tings() {
 #[test]
 fn elastic_spheres_follow_hertz_under_forces_and_frames() {
     let modulus = 2e6;
-    let material = Material::elastic(modulus).unwrap();
+    let material = PlaneMaterial::elastic(modulus).unwrap();
     let hertz = |a: f64| 4.0 / 3.0 * modulus * a.powi(3) / RADIUS;
     let forces = History::force(0.0).ramp(0.01, 1.0).ramp(0.002, 0.5).step(0.02).ramp(-0.01, 3.0).ramp(0.005, 1.0).hold(1e6);
     let solution = solved(&material, SPHERE, forces, None);
@@ -186,7 +186,7 @@ fn a_held_frame_does_not_drift_in_the_end() {
 
 #[test]
 fn a_liquid_sinks_under_a_force_and_lets_go_when_it_is_gone() {
-    let liquid = Material::from_creep(1e7, &[CreepTerm { compliance: 4e-7, retardation_time: 0.3 }], Some(2e7)).unwrap();
+    let liquid = PlaneMaterial::from_creep(1e7, &[CreepTerm { compliance: 4e-7, retardation_time: 0.3 }], Some(2e7)).unwrap();
     let solution = solved(&liquid, SPHERE, History::force(0.01).hold(30.0).ramp(0.0, 0.5), None);
     let cube = |time: f64| 0.75 * RADIUS * 0.01 * (compliance(&liquid, time)[0] + time / 2e7);
     for instant in solution.instants.iter().filter(|instant| instant.time <= 30.0) {

@@ -7,7 +7,7 @@
 
 use std::path::Path;
 use viscotack::indentation::{Adhesion, Controlled, EventKind, History, IndentationProblem, Profile, Watch, run, run_watched};
-use viscotack::material::{CreepTerm, Material, RelaxationTerm};
+use viscotack::material::{CreepTerm, PlaneMaterial, RelaxationTerm};
 use viscotack_program::outcome::{Outcome, Status};
 use viscotack_program::plan;
 use viscotack_program::scene::{Document, read};
@@ -100,10 +100,10 @@ fn what_a_panel_leaves_is_within_the_bound() {
 #[test]
 fn instants_on_the_way_are_the_ends_of_shorter_histories() {
     const INSTANTS: u32 = 35;
-    let one = Material::standard_solid(2.0, 30.0, 0.7).unwrap();
+    let one = PlaneMaterial::standard_solid(2.0, 30.0, 0.7).unwrap();
     let terms = [(3.0, 0.01), (1.5, 0.4), (5.0, 20.0)].map(|(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time });
-    let three = Material::from_relaxation(0.4, &terms).unwrap();
-    let elastic = Material::from_relaxation(3.0, &[]).unwrap();
+    let three = PlaneMaterial::from_relaxation(0.4, &terms).unwrap();
+    let elastic = PlaneMaterial::from_relaxation(3.0, &[]).unwrap();
     let table: Vec<(f64, f64)> = (0..=60).map(|k| f64::from(k) / 100.0).map(|r| (r, 0.5 * r * r + r.powi(4))).collect();
     let shapes = [
         Profile::Paraboloid { radius: 1.0 },
@@ -161,7 +161,7 @@ fn instants_on_the_way_are_the_ends_of_shorter_histories() {
 /// Accuracy costs: panels of the time and places of the line, by what is asked for.
 #[test]
 fn less_accuracy_takes_less_work() {
-    let material = Material::from_relaxation(1.0, &[RelaxationTerm { modulus: 9.0, relaxation_time: 1.0 }]).unwrap();
+    let material = PlaneMaterial::from_relaxation(1.0, &[RelaxationTerm { modulus: 9.0, relaxation_time: 1.0 }]).unwrap();
     let history = History::force(0.0).ramp(1e-3, 1.0).hold(10.0).ramp(3e-4, 2.0).ramp(1.2e-3, 3.0);
     let work = |accuracy: f64| {
         let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, None, history.clone());
@@ -216,8 +216,8 @@ fn a_punch_on_a_liquid_stays_in_contact_however_long_it_is_held() {
 /// A force that presses hardly deeper than what series leave of a deep indentation was let go at the start of its ramp to nothing, for the instants on the way.
 #[test]
 fn a_force_is_there_at_every_instant_until_it_is_gone() {
-    let maxwell = Material::from_relaxation(0.0, &[RelaxationTerm { modulus: 10.0, relaxation_time: 1.0 }]).unwrap();
-    let burgers = Material::from_creep(10.0, &[CreepTerm { compliance: 0.2, retardation_time: 3.0 }], Some(10.0)).unwrap();
+    let maxwell = PlaneMaterial::from_relaxation(0.0, &[RelaxationTerm { modulus: 10.0, relaxation_time: 1.0 }]).unwrap();
+    let burgers = PlaneMaterial::from_creep(10.0, &[CreepTerm { compliance: 0.2, retardation_time: 3.0 }], Some(10.0)).unwrap();
     let (force, pull, duration) = (1e-3, -1e-4, 0.65);
     let mut pressed = 0;
     for material in [&maxwell, &burgers] {
@@ -251,8 +251,8 @@ fn a_force_is_there_at_every_instant_until_it_is_gone() {
 /// The same of other shapes and liquids, then of a penetration, a force and a frame that take over what has relaxed to nothing.
 #[test]
 fn what_has_relaxed_below_rounding_is_still_in_contact() {
-    let maxwell = Material::from_relaxation(0.0, &[RelaxationTerm { modulus: 10.0, relaxation_time: 1.0 }]).unwrap();
-    let burgers = Material::from_creep(10.0, &[CreepTerm { compliance: 0.2, retardation_time: 3.0 }], Some(10.0)).unwrap();
+    let maxwell = PlaneMaterial::from_relaxation(0.0, &[RelaxationTerm { modulus: 10.0, relaxation_time: 1.0 }]).unwrap();
+    let burgers = PlaneMaterial::from_creep(10.0, &[CreepTerm { compliance: 0.2, retardation_time: 3.0 }], Some(10.0)).unwrap();
     let sphere = Profile::Paraboloid { radius: 1.0 };
     let rounded = Profile::Rimmed { face: std::sync::Arc::new(sphere.clone()), rim: 0.01 };
     for material in [&maxwell, &burgers] {
@@ -300,7 +300,7 @@ fn a_surface_that_lies_close_is_met_in_a_few_panels() {
     assert_eq!(found.rows.iter().filter(|row| row.labels.iter().any(|label| label == "detachment")).count(), 2);
 }
 
-/// The radius at the border of a stretch of the line was beyond it by rounding, and its penetration none.
+/// The radius at the border of a segment of the line was beyond it by rounding, and its penetration none.
 #[test]
 fn an_imposed_radius_may_jump_to_where_the_line_is_cut() {
     solved("square_wave_of_the_radius");
@@ -328,7 +328,7 @@ fn an_imposed_radius_is_met_whatever_the_shape() {
     assert!((last.value(place).unwrap() / 4.630141264406802e-06 - 1.0).abs() < 1e-14);
 }
 
-/// Sums over the time followed points that were not dense enough for what relaxes within a stretch, or for a contact that is lost within a cycle.
+/// Sums over the time followed points that were not dense enough for what relaxes within a segment, or for a contact that is lost within a cycle.
 #[test]
 fn energies_and_cycles_are_as_exact_as_asked_for() {
     solved("energies");
@@ -343,7 +343,7 @@ fn problem(history: History, accuracy: f64) -> IndentationProblem {
 /// Hertz: U = (8/15)E*√R Δ^{5/2}, all of it given back; a viscoelastic cycle loses what both integrals say.
 #[test]
 fn the_work_is_stored_or_lost() {
-    let elastic = Material::from_relaxation(3.0, &[]).unwrap();
+    let elastic = PlaneMaterial::from_relaxation(3.0, &[]).unwrap();
     let solution = run(&elastic, &problem(History::penetration(0.0).ramp(0.01, 2.0).ramp(0.002, 5.0), 1e-8)).unwrap();
     for instant in &solution.instants {
         let [stored, _, work, lost] = instant.energies.unwrap();
@@ -353,7 +353,7 @@ fn the_work_is_stored_or_lost() {
             assert!((value.value - right).abs() <= 1e-9 * scale, "{value:?} {right:e}");
         }
     }
-    let rubber = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let rubber = PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap();
     let history = History::penetration(0.0).ramp(0.01, 2.0).hold(1e3).ramp(0.002, 0.05).hold(30.0).ramp(0.012, 4.0);
     let solution = run(&rubber, &problem(history, 1e-6)).unwrap();
     assert!(solution.reached && solution.balance_defect.unwrap() < 1e-5, "{:?}", solution.balance_defect);
@@ -374,7 +374,7 @@ fn a_checkpoint_is_refused_without_adhesion() {
             *self.0.lock().unwrap() = Some(postcard::to_allocvec(checkpoint).unwrap());
         }
     }
-    let rubber = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let rubber = PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap();
     let without = IndentationProblem { energies: false, ..problem(History::penetration(0.0).ramp(0.03, 1.0), 1e-2) };
     let adhesion = Some(Adhesion { work_of_adhesion: 5e-4, process_zone: 0.013 });
     let taker = First(std::sync::Mutex::new(None));

@@ -1,4 +1,4 @@
-//! What marches of the sphere cost, in counters: steps, evaluations of the edge condition, points of the line updated.
+//! What integrations of the sphere cost, in counters: steps, evaluations of the edge condition, points of the line updated.
 //!
 //! Goal: cost in proportion to the steps, however long the history, and to the terms; no step dearer because more has happened before.
 //! Parameters: the thesis's Fig 4.3 (γ̃ = 1.6e-4, δ̃ = 0.013, β = 10, V·ρ/R = 2e-3), one cycle and many, one term and sixteen.
@@ -9,8 +9,8 @@
 use crate::support;
 
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
-use viscotack::Material;
-use viscotack::indentation::{Adhesion, History, IndentationProblem, IndentationWork, Oscillation, march, run};
+use viscotack::PlaneMaterial;
+use viscotack::indentation::{Adhesion, History, IndentationProblem, IndentationWork, Oscillation, integrate, run};
 use viscotack::material::RelaxationTerm;
 
 const SPEED: f64 = 2e-3;
@@ -32,7 +32,7 @@ fn show(name: &str, work: &IndentationWork) {
     );
 }
 
-/// An approach and retraction at two accuracies, every march of the search for it counted.
+/// An approach and retraction at two accuracies, every integration of the search for it counted.
 #[test]
 fn a_cycle_at_two_accuracies() {
     for (accuracy, steps, evaluations) in [(1e-4, LIMITS[0].0, LIMITS[0].1), (1e-6, LIMITS[1].0, LIMITS[1].1)] {
@@ -47,7 +47,7 @@ fn a_cycle_at_two_accuracies() {
 fn many_cycles_cost_as_many_times() {
     let cycles = |count: u32| {
         let history = (0..count).fold(History::penetration(0.0), |history, _| history.at_speed(0.032, SPEED).at_speed(0.015, SPEED));
-        let work = march(&rubber(), &problem(history, 1e-3), 1e-3).unwrap().work;
+        let work = integrate(&rubber(), &problem(history, 1e-3), 1e-3).unwrap().work;
         show(&format!("{count} cycles"), &work);
         work
     };
@@ -59,7 +59,7 @@ fn many_cycles_cost_as_many_times() {
     assert!(many.most_panels <= few.most_panels + few.most_panels / 4);
     let oscillation = |count: f64| {
         let history = History::penetration(0.02).oscillate(Oscillation::steady(0.004, 0.05), 20.0 * count);
-        let work = march(&rubber(), &problem(history, 1e-3), 3e-3).unwrap().work;
+        let work = integrate(&rubber(), &problem(history, 1e-3), 3e-3).unwrap().work;
         show(&format!("{count} oscillations"), &work);
         work
     };
@@ -77,11 +77,11 @@ fn terms_cost_in_proportion() {
             modulus: 9.0 / f64::from(count),
             relaxation_time: 10f64.powf((f64::from(k) + 0.5) / f64::from(count) - 0.5),
         };
-        Material::from_relaxation(1.0, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
+        PlaneMaterial::from_relaxation(1.0, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
     };
     let history = || History::penetration(0.0).at_speed(0.032, SPEED).at_speed(-0.02, SPEED);
     let works: Vec<IndentationWork> =
-        [1, 4, 16].iter().map(|&count| march(&material(count), &problem(history(), 1e-3), 1e-4).unwrap().work).collect();
+        [1, 4, 16].iter().map(|&count| integrate(&material(count), &problem(history(), 1e-3), 1e-4).unwrap().work).collect();
     for (count, work) in [1, 4, 16].iter().zip(&works) {
         show(&format!("{count} terms"), work);
     }
@@ -90,5 +90,5 @@ fn terms_cost_in_proportion() {
     assert!(works.iter().all(|work| work.steps < 2 * works[0].steps));
 }
 
-/// Steps and evaluations of three marches at accuracies of 1e-4 and 1e-6.
+/// Steps and evaluations of three integrations at accuracies of 1e-4 and 1e-6.
 const LIMITS: [(u64, u64); 2] = [(1755, 5624), (3549, 10724)];

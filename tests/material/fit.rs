@@ -1,7 +1,7 @@
 //! Source: `material/fit`, `material/shift`, `material/broad`: series from data, time–temperature shift, laws with a continuous spectrum.
 //!
 //! Goal: a known series comes back from its own moduli; noisy data are followed within the stated error; what no passive solid can do is
-//! told; laws are expanded to their accuracy with a number of terms near the least.
+//! reported; laws are expanded to their accuracy with a number of terms near the least.
 //! Oracle: the series the data were made of; `broad_laws.csv` (mpmath, closed forms confirmed by quadrature of the spectrum).
 //! Tolerances: 1e-8 of the modulus for noiseless data; coverage of the stated errors counted over seeds; 1e-12 for the laws themselves
 //! (quadrature to rounding); the wanted accuracy for expansions, on frequencies that the expansion did not use.
@@ -163,7 +163,7 @@ fn a_larger_wanted_error_takes_fewer_terms() {
 }
 
 #[test]
-fn moduli_of_no_passive_solid_are_told() {
+fn moduli_of_no_passive_solid_are_reported() {
     let rubber = rubber();
     let mut uniform = Uniform::new();
     let places = frequencies(1e-3, 1e9, 5.0);

@@ -223,15 +223,15 @@ fn isotherms_of_two_processes_are_no_one_curve_and_distant_ones_do_not_meet() {
         .collect();
     let found = superpose(&isotherms, None, false, Wanted::Scatter).unwrap();
     assert_eq!(found.holds(), Some(false), "{} {:?}", found.together, found.alone);
-    let apart: Vec<Isotherm> = [263.15, 333.15]
+    let separate: Vec<Isotherm> = [263.15, 333.15]
         .into_iter()
         .map(|temperature: f64| Isotherm {
             temperature,
             data: sweep(&nine(), [0.3, 3.0], 8, 0.01, &mut uniform, shift(temperature).exp(), 1.0),
         })
         .collect();
-    let refusal = superpose(&apart, None, false, Wanted::Scatter).unwrap_err().to_string();
+    let refusal = superpose(&separate, None, false, Wanted::Scatter).unwrap_err().to_string();
     assert!(refusal.contains("do not overlap"), "{refusal}");
-    assert!(superpose(&apart[..1], None, false, Wanted::Scatter).is_err());
-    assert!(superpose(&apart, Some(400.0), false, Wanted::Scatter).is_err());
+    assert!(superpose(&separate[..1], None, false, Wanted::Scatter).is_err());
+    assert!(superpose(&separate, Some(400.0), false, Wanted::Scatter).is_err());
 }

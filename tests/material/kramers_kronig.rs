@@ -79,7 +79,7 @@ fn measured(draw: &Draw, fault: Fault, uniform: &mut Uniform) -> Vec<Observation
                 Fault::LossScaled => loss *= 1.3,
                 Fault::LossShifted => loss = at(frequency * 10f64.sqrt()).loss,
                 Fault::StorageShifted => storage = at(frequency * 10f64.sqrt()).storage,
-                // The frame gives way: the magnitude is too small, and the phase was read as if it did not.
+                // The frame yields: the magnitude is too small, and the phase was read as if it did not.
                 Fault::MagnitudeSoftened => {
                     let magnitude = storage.hypot(loss);
                     let factor = 1.0 / (1.0 + magnitude / highest);

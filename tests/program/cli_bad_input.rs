@@ -199,20 +199,20 @@ fn spoilt(good: &str, case: &Case) -> String {
 }
 
 /// What is wrong with an answer to a wrong call; nothing if it is as it should be.
-fn complaints(answer: &Answer, says: &[&str]) -> Vec<String> {
-    let mut complaints = Vec::new();
+fn failures(answer: &Answer, says: &[&str]) -> Vec<String> {
+    let mut failures = Vec::new();
     if answer.code != 2 {
-        complaints.push(format!("exit code {}", answer.code));
+        failures.push(format!("exit code {}", answer.code));
     }
     if !answer.stdout.is_empty() {
-        complaints.push(format!("standard output is not empty: {}", answer.stdout));
+        failures.push(format!("standard output is not empty: {}", answer.stdout));
     }
     let errors = answer.stderr.matches('×').count() + answer.stderr.matches("error:").count();
     if errors != 1 {
-        complaints.push(format!("{errors} errors"));
+        failures.push(format!("{errors} errors"));
     }
-    complaints.extend(says.iter().filter(|word| !answer.stderr.contains(**word)).map(|word| format!("does not say {word:?}")));
-    complaints
+    failures.extend(says.iter().filter(|word| !answer.stderr.contains(**word)).map(|word| format!("does not say {word:?}")));
+    failures
 }
 
 #[test]
@@ -241,7 +241,7 @@ fn every_kind_of_wrong_scene_is_one_error_with_its_place() {
         };
         let mut says = case.says.to_vec();
         says.push(&place);
-        let mut wrong = complaints(&answer, &says);
+        let mut wrong = failures(&answer, &says);
         for name in ["DIR", "DIR.partial"] {
             if folder.path(name).exists() {
                 wrong.push(format!("{name} was made"));
@@ -275,7 +275,7 @@ fn the_scene_that_is_spoilt_above_is_right() {
 
 /// Asserts one error that says all of these.
 fn refused(answer: &Answer, says: &[&str]) {
-    let wrong = complaints(answer, says);
+    let wrong = failures(answer, says);
     assert!(wrong.is_empty(), "{}\n{}", wrong.join("\n"), answer.stderr);
 }
 

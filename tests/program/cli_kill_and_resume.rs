@@ -272,7 +272,7 @@ fn two_runs_into_one_folder_do_not_meet() {
     assert!(resumed.stderr.contains("unfinished run"), "{}", resumed.stderr);
 }
 
-/// A sphere that sticks and swings through so many cycles: one state, a march of many steps.
+/// A sphere that sticks and swings through so many cycles: one state, an integration of many steps.
 fn swinging(cycles: u32) -> String {
     format!(
         r#"title = "A sphere that swings"
@@ -302,7 +302,7 @@ oscillation = {{ quantity = "penetration", amplitude = "2 µm", frequency = "30 
 }
 
 #[test]
-fn a_march_killed_in_flight_goes_on_to_the_same_bytes() {
+fn an_integration_killed_in_flight_goes_on_to_the_same_bytes() {
     let checkpoint = "DIR.partial/state-0.checkpoint";
     let mut cycles = 100;
     // A run that is over before its first checkpoint is made longer.

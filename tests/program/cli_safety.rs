@@ -1,6 +1,7 @@
 //! Nothing of the user's is lost, and nothing that is given commands the terminal or keeps the program waiting.
 //!
-//! Contract: `program/src/outcome/owned.rs` (folders with a mark), `program/src/outcome/journal.rs` (digests), `program/src/regular_file.rs`, `program/src/terminal_text.rs`, `program/src/threads.rs`.
+//! Contract: `program/src/outcome/owned.rs` (folders with a mark), `program/src/outcome/journal.rs` (digests), `program/src/regular_file.rs`,
+//! `program/src/terminal_text.rs`, `program/src/threads.rs`.
 //! Goal: files that the program has not written stay; flipped bits, foreign builds, full disks, refused threads, pipes and devices, Ctrl-C, escape sequences.
 //! Parameters: the faults themselves, made as they happen: bits flipped in files, a small tmpfs, a limit of the size of files, stacks too large to be
 //! given, FIFOs, signals.
@@ -18,7 +19,7 @@ use std::os::unix::fs::symlink;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::crack::delayed::{FinishedRuns, GrowthProblem, GrowthWatch, LoadHistory, Resolution, Trajectory, Unwatched, refined_from};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::CreepTerm;
@@ -617,7 +618,7 @@ fn a_scene_is_read_from_standard_input() {
 #[test]
 fn a_killed_history_of_growth_goes_on_to_the_same_numbers() {
     let creep = [CreepTerm { compliance: 0.9e-6, retardation_time: 1.0 }];
-    let material = Material::from_creep(1e7, &creep, None).unwrap();
+    let material = PlaneMaterial::from_creep(1e7, &creep, None).unwrap();
     let process_zone = ProcessZone::Constant { length: 1.3e-6 };
     let interface = Interface { work_of_adhesion: 0.17, process_zone, body: CrackBody::AgainstRigid };
     let problem = GrowthProblem::new(&material, interface, 0.0).unwrap();

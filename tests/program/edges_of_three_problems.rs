@@ -20,23 +20,26 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Resolution as CrackResolution, trajectory};
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, march};
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, integrate};
 use viscotack::material::CreepTerm;
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 
 /// E0 = 1, retardation times about 1.
-fn materials() -> [(&'static str, Material); 2] {
+fn materials() -> [(&'static str, PlaneMaterial); 2] {
     let terms = [(0.5, 1.0), (0.3, 0.2), (0.2, 0.05)];
     let terms = terms.map(|(part, retardation_time)| CreepTerm { compliance: part * (1.0 - 1.0 / 12.0), retardation_time });
-    [("1 term", Material::standard_solid(1.0, 10.0, 1.0).unwrap()), ("3 terms", Material::from_creep(12.0, &terms, None).unwrap())]
+    [
+        ("1 term", PlaneMaterial::standard_solid(1.0, 10.0, 1.0).unwrap()),
+        ("3 terms", PlaneMaterial::from_creep(12.0, &terms, None).unwrap()),
+    ]
 }
 
 /// G/Δγ of a steady crack against a rigid half.
-fn crack(material: &Material, motion: Motion, zone: f64, speed: f64) -> f64 {
+fn crack(material: &PlaneMaterial, motion: Motion, zone: f64, speed: f64) -> f64 {
     let interface =
         Interface { work_of_adhesion: 1.0, process_zone: ProcessZone::Constant { length: zone }, body: CrackBody::AgainstRigid };
     let curve = VirtualWork::new(material, motion, interface).unwrap();
@@ -82,7 +85,7 @@ const GAMMA: f64 = 0.02;
 ///
 /// The second is the closed elastic contact with two intensities: p = √(a² − y²) + (c + ey)/√(a² − y²), of load 2πp̄ = πa²/2 + πc, whose edges
 /// release G = (c ∓ ea)²/(8Γa) each. It knows nothing of a process zone: a factor in the works moves the contact, and so these.
-fn sliding(material: &Material, zone: f64, speed: f64) -> [[f64; 2]; 2] {
+fn sliding(material: &PlaneMaterial, zone: f64, speed: f64) -> [[f64; 2]; 2] {
     let problem = SlidingProblem {
         rate: speed,
         indenter: Indenter::Parabola,
@@ -138,7 +141,7 @@ fn the_edge_of_a_sphere_is_a_crack() {
                     let adhesion = Some(Adhesion { work_of_adhesion: work, process_zone: zone });
                     let history = History::contact_radius(start).at_speed(end, speed);
                     let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, adhesion, history).relaxed();
-                    let trace = march(&material, &problem, 1e-5).unwrap();
+                    let trace = integrate(&material, &problem, 1e-5).unwrap();
                     let last = trace.path.last().unwrap();
                     // The very tip of a closing crack is stressed E∞/E0 times more than the far field says (5.35).
                     let far = if motion == Motion::Closing { material.glassy_modulus() } else { 1.0 };

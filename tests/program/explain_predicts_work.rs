@@ -56,7 +56,7 @@ fn every_shipped_scene_costs_what_is_predicted() {
     let mut wrong = Vec::new();
     for path in shipped_scenes() {
         let (predicted, outcome) = solved(Document::load(&path).unwrap(), shortened(&path));
-        wrong.extend(misprediction(predicted, &outcome).map(|complaint| format!("{}: {complaint}", path.display())));
+        wrong.extend(misprediction(predicted, &outcome).map(|failure| format!("{}: {failure}", path.display())));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
@@ -113,7 +113,7 @@ fn every_kind_of_scene_costs_what_is_predicted() {
                                     outcome.work().closure_evaluations as f64 / outcome.rows.len() as f64
                                 );
                             }
-                            wrong.extend(misprediction(predicted, &outcome).map(|complaint| format!("{name}: {complaint}")));
+                            wrong.extend(misprediction(predicted, &outcome).map(|failure| format!("{name}: {failure}")));
                         }
                     }
                 }
@@ -145,9 +145,7 @@ fn every_kind_of_history_costs_what_is_predicted() {
                         [format!("adhesion.process_zone.law={law}"), format!("material.creep={creep}"), format!("accuracy={accuracy}")];
                     let sets: Vec<&str> = sets.iter().map(String::as_str).collect();
                     let (predicted, outcome) = solved(parsed(&text), &sets);
-                    wrong.extend(
-                        misprediction(predicted, &outcome).map(|complaint| format!("{name} {law} {creep} {accuracy}: {complaint}")),
-                    );
+                    wrong.extend(misprediction(predicted, &outcome).map(|failure| format!("{name} {law} {creep} {accuracy}: {failure}")));
                 }
             }
         }
@@ -178,7 +176,7 @@ fn every_kind_of_sliding_scene_costs_what_is_predicted() {
                     if std::env::var_os("SHOW_WORK").is_some() {
                         println!("{name}: predicted {predicted:?}, counted {:?}", outcome.work());
                     }
-                    wrong.extend(misprediction(predicted, &outcome).map(|complaint| format!("{name}: {complaint}")));
+                    wrong.extend(misprediction(predicted, &outcome).map(|failure| format!("{name}: {failure}")));
                 }
             }
         }
@@ -192,9 +190,9 @@ fn sliding_effects_left_out_cost_nothing() {
     assert_eq!((counted.kernel_evaluations, counted.field_evaluations), (0, 80));
     let without_fields = work(SLIDING.split("[fields]").next().unwrap(), &[]);
     assert_eq!((without_fields.field_evaluations, without_fields.linear_solves), (0, counted.linear_solves));
-    let twin = work(SLIDING, &["sliding.contacts=[\"adhesiveless\"]"]);
+    let adhesiveless = work(SLIDING, &["sliding.contacts=[\"adhesiveless\"]"]);
     let adhesive = work(SLIDING, &["sliding.contacts=[\"adhesive\"]"]);
-    let mut sum = twin;
+    let mut sum = adhesiveless;
     sum += adhesive;
     assert_eq!(sum, counted);
     // Each balance of an adhesive contact is as many linear systems; a crack has none.

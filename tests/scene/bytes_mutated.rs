@@ -1,11 +1,10 @@
 //! Shipped scenes with spoilt bytes: the reader answers with a plan or with an error that names the file and the line.
 //!
-//! Contract: the scene module; `fuzz/fuzz_targets/scene.rs` takes the same way with a fuzzer's bytes (`viscotack_verification::studies::scene_bytes`), and so does `viscotack verify`.
-//! Goal: bytes as a disk or an editor spoils them: flipped bits, lost and doubled pieces, pieces of other scenes, bytes that are no UTF-8. Spoilt words and numbers, which
-//! keep a scene well formed, are in `scene_reader_never_panics`.
-//! Parameters: every shipped scene, 60 000 mutations, seeded.
-//! Oracle: no panic (arithmetic overflow panics in this profile); an accepted scene has a plan or a refusal in a sentence; a refused one names the file, and a syntax
-//! error or a wrong key the line.
+//! Contract: the scene module; `fuzz/fuzz_targets/scene.rs` takes the same way with a fuzzer's bytes (`viscotack_verification::studies::scene_bytes`), and so does
+//! `viscotack verify`.
+//! Goal: bytes as a disk or an editor spoils them: flipped bits, lost and doubled pieces, pieces of other scenes, bytes that are no UTF-8. Spoilt words and numbers,
+//! which keep a scene well formed, are in `scene_reader_never_panics`. Parameters: every shipped scene, 60 000 mutations, seeded. Oracle: no panic (arithmetic overflow
+//! panics in this profile); an accepted scene has a plan or a refusal in a sentence; a refused one names the file, and a syntax error or a wrong key the line.
 //! Tolerance: none.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 

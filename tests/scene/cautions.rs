@@ -1,6 +1,6 @@
 //! Source: `scene/plausible`, `material.cautions`, the headers of material tables.
 //!
-//! Goal: what is doubtful about a material stays with it in its file; numbers a thousand times off are asked about and never refused; tables with usual headers are
+//! Goal: what may be wrong with a material stays with it in its file; numbers a thousand times off are asked about and never refused; tables with usual headers are
 //! read, and others get the lines to type for all columns at once.
 //! Oracle: the words that must be said, and the same moduli from every way to say the units.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]

@@ -1,6 +1,6 @@
 //! Source: `viscotack fit` (`program/src/plan/fit`), `scenes/fits/`, `studies::fit_coverage`.
 //!
-//! Goal: the shipped scene gives its stated truth, and the scene that is written runs; every key of [fit] is heard or refused; bad data end in one clear error;
+//! Goal: the shipped scene gives its stated truth, and the scene that is written runs; every key of [fit] is used or refused; bad data end in one clear error;
 //! what the data cannot separate is said; models and further tests are compared; a better minimum is never missed.
 //!
 //! Oracle: the truth that `scenes/fits/make_data.py` and the study state.

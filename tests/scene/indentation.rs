@@ -1,7 +1,7 @@
 //! An indentation scene gives what the library gives, in the units of the scene.
 //!
 //! Contract: `[indentation]`, `[[history]]`, `[adhesion]` of the catalogue; theory 4.
-//! Goal: rows, events, largest tension, fields and the measured overlay are those of the march; one physics in reduced and in SI units; every shape.
+//! Goal: rows, events, largest tension, fields and the measured overlay are those of the integration; one physics in reduced and in SI units; every shape.
 //! Parameters: the thesis's chapter 4 (γ̃ = 1.6e-4, δ̃ = 0.013, β = 10, point B at Δ̃ = 0.032).
 //! Oracle: [`viscotack::indentation::run`] with numbers written here; the printed state B; the force as the integral of the pressure; shapes that coincide.
 //! Tolerance: with each test.
@@ -9,7 +9,7 @@
 
 use std::f64::consts::PI;
 use std::path::Path;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, run};
 use viscotack_program::outcome::{Outcome, Row, Status};
 use viscotack_program::plan;
@@ -49,7 +49,7 @@ fn event<'o>(outcome: &'o Outcome, name: &str) -> &'o Row {
 
 /// Forces in πE0*R², lengths in R: the printed state B, and each row as the library has it.
 #[test]
-fn retraction_in_reduced_units_is_the_march() {
+fn retraction_in_reduced_units_is_that_of_the_solver() {
     let outcome = solved(&format!(
         "{REDUCED}[indentation]\nsphere = {{}}\nstart = \"relaxed\"\npenetration = 0.032\ninstants = 6\n[[history]]\npenetration = -0.04\nrate = 0.002\n"
     ));
@@ -59,12 +59,12 @@ fn retraction_in_reduced_units_is_the_march() {
         accuracy: 1e-4,
         ..IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, Some(adhesion), history).relaxed()
     };
-    let direct = run(&Material::standard_solid(1.0, 10.0, 10.0).unwrap(), &problem).unwrap();
+    let direct = run(&PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap(), &problem).unwrap();
     let rows = instants(&outcome);
     assert_eq!(rows.len(), direct.instants.len());
     for (row, instant) in rows.iter().zip(&direct.instants) {
         assert!(row.status == Status::Solved, "{row:?}");
-        // Both are within their bars of the truth.
+        // Both are within their bounds of the truth.
         let bar = 2.0 * instant.force.error / PI + 1e-12;
         assert!((value(&outcome, row, "time") - instant.time).abs() < 1e-9);
         assert!((value(&outcome, row, "force") - instant.force.value / PI).abs() <= bar);
@@ -87,7 +87,7 @@ fn retraction_in_reduced_units_is_the_march() {
     assert!(outcome.rows[1..].windows(2).all(|pair| value(&outcome, &pair[0], "time") <= value(&outcome, &pair[1], "time")));
 }
 
-/// R = 2.5 mm, E0* = 0.8 MPa, ρ = 0.3 s: the same history in SI, within the error bars of both.
+/// R = 2.5 mm, E0* = 0.8 MPa, ρ = 0.3 s: the same history in SI, within the error bounds of both.
 #[test]
 fn si_and_reduced_scenes_are_one() {
     let history = "[[history]]\npenetration = 0.02\nduration = 5\n[[history]]\nhold = 3\n[[history]]\nforce = -0.0005\nduration = 2\n";
@@ -109,7 +109,7 @@ fn si_and_reduced_scenes_are_one() {
         -0.0005 * PI * modulus * radius * radius,
         2.0 * time,
     ));
-    // Instants that the history names; those inside the last ramp are steps of each march's own.
+    // Instants that the history names; those inside the last ramp are steps of each integration's own.
     let named = |outcome: &Outcome, unit: f64| -> Vec<Row> {
         let own = |row: &&Row| {
             row.label(0) == "instant" && value(outcome, row, "time") > 8.0 * unit + 1e-9 && value(outcome, row, "time") < 9.99 * unit
@@ -125,7 +125,7 @@ fn si_and_reduced_scenes_are_one() {
         {
             let place = column(&reduced, name);
             let [left, right] = [one.values[place].unwrap().scaled(unit), other.values[place].unwrap()];
-            // Steps are chosen by rounded numbers, so that the two marches are not the same to the last bit: each is within its own bar.
+            // Steps are chosen by rounded numbers, so that the two integrations are not the same to the last bit: each is within its own bound.
             assert!(
                 (left.value - right.value).abs() <= left.error + right.error + 1e-9 * left.value.abs(),
                 "{:?} {name}: {left:?} {right:?}",
@@ -138,7 +138,7 @@ fn si_and_reduced_scenes_are_one() {
     assert!((value(&reduced, instants(&reduced).last().unwrap(), "force") + 0.0005).abs() < 1e-9);
 }
 
-/// 2π∫p r dr is F; inside the contact the surface is the indenter; both within the fields' own bars, 1e-3.
+/// 2π∫p r dr is F; inside the contact the surface is the indenter; both within the fields' own bounds, 1e-3.
 #[test]
 fn fields_carry_the_force_and_lie_on_the_indenter() {
     let outcome = solved(&format!(
@@ -304,7 +304,7 @@ fn a_cohesive_stress_gives_the_zone_of_the_relaxed_body() {
     for (one, other) in first.iter().zip(&second) {
         for name in ["force", "contact_radius"] {
             let (left, right) = (value(&by_length, one, name), value(&by_stress, other, name));
-            // The two lengths differ by rounding, and so may the steps of the marches: their accuracy is 1e-4.
+            // The two lengths differ by rounding, and so may the steps of the integrations: their accuracy is 1e-4.
             assert!((left - right).abs() <= 1e-4 * left.abs(), "{name}: {left:e} {right:e}");
         }
     }

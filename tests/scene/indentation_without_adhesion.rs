@@ -3,7 +3,7 @@
 //! Contract: scenes without `[adhesion]`.
 //! Goal: every such scene ends, solved, with the right contact; liquids too.
 //! Oracle: a = √(ΔR) of an elastic sphere; Lee and Radok's and Ting's quadratures and another group's MDR program (values below, from elsewhere).
-//! Tolerance: that of each value, and the bounds told.
+//! Tolerance: that of each value, and the bounds reported.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::path::Path;
@@ -78,7 +78,7 @@ oscillation = { quantity = "penetration", amplitude = 6.668709596234983e-07, fre
 penetration = 4.6132071887483276e-05
 "#;
 
-const TWIN_TIMES: &str = r#"
+const EQUAL_TIMES: &str = r#"
 accuracy = 1e-4
 [material]
 relaxed_modulus = 550000000.0
@@ -262,7 +262,7 @@ fn cycles_after_a_step_are_admissible() {
 
 #[test]
 fn two_relaxation_times_a_rounding_unit_apart() {
-    near(at(&solved(TWIN_TIMES), 1.0, "force"), 1.532_190_984_413_219, 1e-4);
+    near(at(&solved(EQUAL_TIMES), 1.0, "force"), 1.532_190_984_413_219, 1e-4);
 }
 
 /// a³ = (3/4)R(1 − ν²)F J(t), Δ = a²/R.

@@ -99,7 +99,7 @@ fn mended(folder: &Folder, input: &str, remedy: &Value) {
 }
 
 /// What is wrong with the answer to an input; of a refused one with a remedy, also what is wrong once the remedy is typed.
-fn complaints(case: &Value) -> Vec<String> {
+fn failures(case: &Value) -> Vec<String> {
     let input = case["input"].as_str().unwrap();
     let folder = folder(input);
     let mut found = answered(case, &folder);
@@ -190,7 +190,7 @@ fn cases() -> Vec<Value> {
 }
 
 fn right(cases: &[Value]) {
-    let wrong: Vec<String> = cases.par_iter().flat_map_iter(complaints).collect();
+    let wrong: Vec<String> = cases.par_iter().flat_map_iter(failures).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 

@@ -4,13 +4,13 @@
 //! Goal: rows of cycles are the library's; one physics in reduced and in SI units; a held punch tells the complex modulus of its body; what ends
 //! early, thins out or is left out does so.
 //! Parameters: the thesis's chapter 4 (γ̃ = 1.6e-4, δ̃ = 0.013, β = 10), and a punch that stays pressed, for which the edge plays no part.
-//! Oracle: [`viscotack::indentation::run`] with numbers written here; 2aE*(ω) by [`viscotack::Material::complex_modulus`].
-//! Tolerance: the error bars of the rows themselves; with each test where there are none.
+//! Oracle: [`viscotack::indentation::run`] with numbers written here; 2aE*(ω) by [`viscotack::PlaneMaterial::complex_modulus`].
+//! Tolerance: the error bounds of the rows themselves; with each test where there are none.
 #![allow(clippy::float_cmp, clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Adhesion, Cycle, FrequencySweep, History, IndentationProblem, Oscillation, Profile, run};
 use viscotack_program::outcome::{Outcome, Row, Status};
@@ -54,7 +54,7 @@ fn punch(terms: &str, history: &str) -> String {
 
 /// Each quantity of a row of a cycle is the library's, a frequency that goes up on a ramp under a speed factor.
 #[test]
-fn cycles_in_reduced_units_are_the_march() {
+fn cycles_in_reduced_units_are_those_of_the_solver() {
     let outcome = solved(&format!(
         "{REDUCED}[indentation]\nsphere = {{}}\nstart = \"relaxed\"\npenetration = 0.02\nspeed_factor = 2\ninstants = 1
 [[history]]\npenetration = 0.021\nduration = 2
@@ -69,7 +69,7 @@ fn cycles_in_reduced_units_are_the_march() {
         accuracy: 1e-3,
         ..IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, Some(adhesion), history).relaxed()
     };
-    let direct = run(&Material::standard_solid(1.0, 10.0, 10.0).unwrap(), &problem).unwrap();
+    let direct = run(&PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap(), &problem).unwrap();
     let rows = cycles(&outcome);
     assert_eq!((rows.len(), direct.cycles.len()), (4, 4));
     type Of = fn(&Cycle<Estimate>) -> Estimate;
@@ -94,7 +94,7 @@ fn cycles_in_reduced_units_are_the_march() {
         }
         for (name, unit, of) in quantities {
             let (found, expected) = (cell(&outcome, row, name), of(cycle));
-            // Both are within their bars of the truth.
+            // Both are within their bounds of the truth.
             assert!((found.value * unit - expected.value).abs() <= found.error * unit + expected.error, "{name}: {found:?} {expected:?}");
         }
         // The first cycle has none before it.
@@ -160,7 +160,7 @@ fn a_held_punch_tells_the_complex_modulus() {
 [sweep]\nkey = \"history.0.oscillation.frequency\"\nvalues = [\"50 mHz\", \"0.5 Hz\", \"5 Hz\"]\n",
     ));
     let term = viscotack::material::RelaxationTerm { modulus: 3e6, relaxation_time: time };
-    let material = Material::from_relaxation(7e5, &[term]).unwrap();
+    let material = PlaneMaterial::from_relaxation(7e5, &[term]).unwrap();
     for (state, frequency) in frequencies.into_iter().enumerate() {
         let of_state: Vec<&Row> = cycles(&outcome).into_iter().filter(|row| row.state == state).collect();
         let last = of_state.last().unwrap();
@@ -171,7 +171,7 @@ fn a_held_punch_tells_the_complex_modulus() {
         let (storage, loss) = (size * modulus.storage, size * modulus.loss);
         let whole = storage.hypot(loss);
         println!("{frequency} Hz: {} cycles, {:?}, {:?}", of_state.len(), cell(&outcome, last, "storage_stiffness"), storage);
-        // The drift that is left, 1e-5 of the cycle, and the bar of the row, 1e-5 as well.
+        // The drift that is left, 1e-5 of the cycle, and the bound of the row, 1e-5 as well.
         assert!((value(&outcome, last, "storage_stiffness") - storage).abs() < 2e-5 * whole);
         assert!((value(&outcome, last, "loss_stiffness") - loss).abs() < 2e-5 * whole);
         assert!((value(&outcome, last, "phase") - loss.atan2(storage)).abs() < 2e-5);
@@ -183,7 +183,7 @@ fn a_held_punch_tells_the_complex_modulus() {
     }
 }
 
-/// Of many cycles some are rows, evenly, with the first and the last of each stretch.
+/// Of many cycles some are rows, evenly, with the first and the last of each segment.
 #[test]
 fn many_cycles_are_thinned() {
     let outcome = solved(
@@ -202,7 +202,7 @@ fn many_cycles_are_thinned() {
     assert!(long.len() + short.len() == 2000 && short == [1.0, 2.0, 3.0], "{} {short:?}", long.len());
     assert!(long[0] == 1.0 && long[long.len() - 1] == 2500.0);
     assert!(long.windows(2).all(|pair| pair[1] - pair[0] == 1.0 || pair[1] - pair[0] == 2.0));
-    // Of each stretch at one frequency the last cycle is drawn.
+    // Of each segment at one frequency the last cycle is drawn.
     let (_, figure) = outcome.figures.iter().find(|(name, _)| name == "stiffness_against_frequency").unwrap();
     let drawn: Vec<f64> = figure.curves[0].points.iter().map(|(frequency, _)| frequency.round()).collect();
     assert_eq!(drawn, [3.0, 30.0]);

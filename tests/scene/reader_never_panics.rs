@@ -220,7 +220,7 @@ fn taken_through(mut document: Document) -> bool {
     let few_fields = match &scene.problem {
         Problem::SteadyCrack(crack) => crack.fields.is_none_or(|fields| fields.points <= 300),
         // A history is dear, and one of other magnitudes may take minutes: random ones are stepped by `crack_sec_5_4_never_nan_never_hangs`, and
-        // those of an indenter are marched by `indentation_error_bars`.
+        // those of an indenter are integrated by `indentation_error_bars`.
         // A surface of other magnitudes may take many grids: `verify grammar` solves drawn ones.
         Problem::DelayedFracture(_) | Problem::Indentation(_) | Problem::Surface(_) => false,
         Problem::Sliding(sliding) => {

@@ -7,7 +7,7 @@
 //!
 //! Oracle: the identities of a row formed here; plain scenes at the half-width or the speed of a row; the same scene in reduced units; `JohnsonWave` in closed form.
 //!
-//! Tolerance: 1e-9 for products of one row; the bars of both between two solutions; 1e-5 for the limit of three process zones.
+//! Tolerance: 1e-9 for products of one row; the bounds of both between two solutions; 1e-5 for the limit of three process zones.
 // Flags and mirrored numbers are equal to the last bit.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
@@ -66,7 +66,7 @@ fn assert_close(what: &str, found: f64, expected: f64, tolerance: f64) {
     assert!((found - expected).abs() <= tolerance * expected.abs(), "{what}: {found:e} instead of {expected:e}");
 }
 
-/// Two solutions of the same contact: within the bars of both.
+/// Two solutions of the same contact: within the bounds of both.
 fn assert_meets(what: &str, found: &Values, expected: &Values) {
     let mut compared = 0;
     // How many other contacts there are is said of single states alone.
@@ -128,7 +128,7 @@ fn a_branch_of_loads_goes_through_the_contacts_of_plain_scenes() {
     let snap_in = rows.iter().position(|(row, _)| row.label(3) == "snap_in").unwrap();
     for (row, values) in rows.iter().take(snap_in).step_by(2) {
         let plain = solved(&at(SPEED, &format!("half_width = {:e}\n", values["half_width"].value)));
-        // At a turn the half-width has a bar, which a plain scene does not know of.
+        // At a turn the half-width has a bound, which a plain scene does not know of.
         let mut expected = plain[0].1.clone();
         expected.remove("half_width");
         if row.label(3).is_empty() {
@@ -136,7 +136,7 @@ fn a_branch_of_loads_goes_through_the_contacts_of_plain_scenes() {
         }
         if values.get("stable_under_load").is_some_and(|stable| stable.value > 0.5) {
             let pressed = solved(&at(SPEED, &format!("mean_pressure = {:e}\n", values["mean_pressure"].value)));
-            // The load has a bar as well, which a plain scene does not know of.
+            // The load has a bound as well, which a plain scene does not know of.
             for name in ["half_width", "eccentricity", "friction_stress", "penetration", "trailing_energy_release_rate"] {
                 assert_close(name, pressed[0].1[name].value, values[name].value, 1e-6);
             }
@@ -206,10 +206,10 @@ fn a_range_of_loads_or_depths_is_kept() {
 
 #[test]
 fn a_soft_frame_is_a_held_load_and_a_stiff_one_a_held_penetration() {
-    for (stiffness, twin) in [("1e-3", "stable_under_load"), ("1e25", "stable_under_penetration")] {
+    for (stiffness, equal) in [("1e-3", "stable_under_load"), ("1e25", "stable_under_penetration")] {
         for (row, values) in solved(&at(SPEED, &format!("{LOADS}frame_stiffness = {stiffness}\n"))) {
             if row.label(3).is_empty() {
-                assert_eq!(values["stable_in_frame"], values[twin], "{stiffness}");
+                assert_eq!(values["stable_in_frame"], values[equal], "{stiffness}");
             }
         }
     }
@@ -343,7 +343,7 @@ fn an_isola_is_a_branch_of_its_own_with_two_folds() {
              [sliding.branch]\nparameter = \"speed\"\nfrom = 0.1\nto = 100\npoints = 12\n{branches}\n{more}"
         )
     };
-    // On request, and unasked where neither end bears the load: the same rows.
+    // On request, and unasked where neither end carries the load: the same rows.
     let asked = solved(&text("branches = \"every\"", -0.0365, ""));
     let unasked = solved(&text("", -0.0365, ""));
     for rows in [&asked, &unasked] {
@@ -353,8 +353,9 @@ fn an_isola_is_a_branch_of_its_own_with_two_folds() {
             assert_close(event, folds[0].1["speed"].value, known, 1e-4);
         }
         let isola = || rows.iter().filter(|(row, _)| row.label(2) == "isola");
-        let stable =
-            |flag: f64| isola().filter(|(_, values)| values.get("stable_under_load").is_some_and(|told| told.value == flag)).count();
+        let stable = |flag: f64| {
+            isola().filter(|(_, values)| values.get("stable_under_load").is_some_and(|reported| reported.value == flag)).count()
+        };
         assert!(isola().count() == 14 && stable(1.0) > 3 && stable(0.0) > 3);
         // From the slow end comes the wide contact beyond snap-in alone, which no load holds.
         let from_an_end = rows.iter().filter(|(row, _)| row.label(2) == "slow" || row.label(2) == "fast");

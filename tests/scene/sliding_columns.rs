@@ -130,7 +130,7 @@ fn a_reduced_scene_is_the_same_contact() {
             for name in names {
                 assert_eq!(si.contains_key(name), reduced.contains_key(name), "{name}");
                 if let (Some(si), Some(reduced)) = (si.get(name), reduced.get(name)) {
-                    // The two solutions stop at different residuals; each bar holds its own, and both are of one size.
+                    // The two solutions stop at different residuals; each bound holds its own, and both are of one size.
                     let difference = (reduced.value * unit - si.value).abs();
                     assert!(
                         difference <= reduced.error * unit + si.error + 1e-14 * si.value.abs(),
@@ -217,7 +217,7 @@ fn a_counter_body_adds_its_compliance_at_every_time() {
 }
 
 #[test]
-fn without_adhesion_the_twin_is_all_there_is() {
+fn without_adhesion_the_adhesiveless_contact_is_all_there_is() {
     let both = columns(&pressed(SPEED));
     let text = pressed(SPEED);
     let (before, after) = text.split_once("[adhesion]").unwrap();
@@ -273,7 +273,7 @@ fn fields_add_up_to_the_columns() {
 fn above_the_last_partial_contact_the_contact_is_full() {
     let k = 2.0 * PI / WAVELENGTH;
     let high = 1.3 * 0.5 * RELAXED_PLANE * k * AMPLITUDE;
-    // The adhesive one past snap-in, its twin past the pressure of full contact.
+    // The adhesive one beyond snap-in, the adhesiveless one beyond the pressure of full contact.
     for row in rows(&scene(SPEED, &format!("mean_pressure = {high:e}\n"))) {
         assert_eq!((row.status, row.label(1)), (Status::Solved, "full"), "{:?}", row.reason);
         assert!(row.reason.unwrap().contains("past ") && row.witness.is_some() && row.fields.is_empty());

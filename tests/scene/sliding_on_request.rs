@@ -7,7 +7,7 @@
 //! Oracle: rows of plain scenes with the same works as constants; the scaling relations of the problem (any length, pressure or time unit), whose missing
 //! sensitivities (load, speed, wavelength, amplitude) are differences of plain scenes; the message of each wrong scene.
 //!
-//! Tolerance: the bars of both between two solutions; 1e-6 for sums with differences of scenes at accuracy 1e-10 and steps of 1 %.
+//! Tolerance: the bounds of both between two solutions; 1e-6 for sums with differences of scenes at accuracy 1e-10 and steps of 1 %.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
 use std::collections::HashMap;

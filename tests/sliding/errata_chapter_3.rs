@@ -21,7 +21,7 @@ use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_4, PI};
 use std::sync::LazyLock;
 use support::sliding::{Found, contact_at_rate};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Prescribed, WaveContact, edge_work};
 use viscotack::sliding::steady::WaveAdhesion;
@@ -54,7 +54,7 @@ fn times_conjugate(left: Complex, right: Complex) -> Complex {
 }
 
 /// Ĉ_m of a material at a rate, from its creep series alone.
-fn symbol(material: &Material, rate: f64, m: f64) -> Complex {
+fn symbol(material: &PlaneMaterial, rate: f64, m: f64) -> Complex {
     let relaxed = material.relaxed_modulus();
     material.creep_terms().iter().fold((relaxed / material.glassy_modulus(), 0.0), |sum, term| {
         let y = m * rate * term.retardation_time;
@@ -131,7 +131,7 @@ fn fourier_sum(first: &Spectrum, second: &Spectrum, f: impl Fn(f64, Complex, Com
 /// A contact in equilibrium with all that the energy tests need.
 struct Case {
     name: &'static str,
-    material: Material,
+    material: PlaneMaterial,
     rate: f64,
     adhesion: WaveAdhesion,
     found: Found,
@@ -142,8 +142,8 @@ struct Case {
 static CASES: LazyLock<Vec<Case>> = LazyLock::new(cases);
 
 fn cases() -> Vec<Case> {
-    let standard = Material::standard_solid(0.7e6, 7e6, 0.2).unwrap();
-    let two = Material::from_creep(
+    let standard = PlaneMaterial::standard_solid(0.7e6, 7e6, 0.2).unwrap();
+    let two = PlaneMaterial::from_creep(
         3.3e7,
         &[CreepTerm { compliance: 5e-7, retardation_time: 2.0 }, CreepTerm { compliance: 1e-6, retardation_time: 0.3 }],
         None,
@@ -275,8 +275,8 @@ fn erratum_3_42_the_root_covers_the_distance() {
     }
 }
 
-fn standard(beta: f64) -> Material {
-    Material::standard_solid(0.7e6, 0.7e6 * beta, TIME).unwrap()
+fn standard(beta: f64) -> PlaneMaterial {
+    PlaneMaterial::standard_solid(0.7e6, 0.7e6 * beta, TIME).unwrap()
 }
 
 /// Retardation time of the standard solids below (s).

@@ -5,7 +5,7 @@
 //!   π𝒢    ζ → 0 and ζ → ∞: log|2 sin(x/2)|·(1 or 1/β), even      between: the wake recovers slowly, lopsided
 //! ```
 //! Goal: every value within the error bound it is returned with, and that bound small. Parameters: β = 1, 2, 10, 16 and 1000, ζ from 1e-6 to 1e4, one
-//! and three terms, layers of kd from 0.01 to 5. Twins: elastic (β = 1), both speed limits, reversed speed, split terms, thick layers.
+//! and three terms, layers of kd from 0.01 to 5. Control cases: elastic (β = 1), both speed limits, reversed speed, split terms, thick layers.
 //! Oracle: Fourier sums by parts in 56 digits, without Clausen functions; invariances. Tolerance: the bound itself, at most 3e-14·(1 + |𝒢|) for half-planes.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
@@ -13,7 +13,7 @@ use crate::support;
 
 use std::f64::consts::PI;
 use support::{Row, reference_rows};
-use viscotack::material::{CreepTerm, Material, RelaxationTerm};
+use viscotack::material::{CreepTerm, PlaneMaterial, RelaxationTerm};
 use viscotack::sliding::{Backing, HalfPlaneGreen, Layer, LayerGreen, MemoryTerm, SlidingMemory};
 use viscotack::special::angle::Angle;
 use viscotack::special::log_sine::log_sine;
@@ -122,7 +122,8 @@ fn two_unit_systems_and_the_dimensional_kernel() {
     // A rubber of three terms in pascals and metres, and the same in megapascals and millimetres.
     let terms =
         |modulus: f64| [(2e-7, 0.3), (5e-8, 4e-3), (1e-8, 2e-5)].map(|(j, t)| CreepTerm { compliance: j / modulus, retardation_time: t });
-    let (si, other) = (Material::from_creep(2e8, &terms(1.0), None).unwrap(), Material::from_creep(200.0, &terms(1e-6), None).unwrap());
+    let (si, other) =
+        (PlaneMaterial::from_creep(2e8, &terms(1.0), None).unwrap(), PlaneMaterial::from_creep(200.0, &terms(1e-6), None).unwrap());
     let green = HalfPlaneGreen::new(SlidingMemory::of_material(&si, 400.0, 0.1).unwrap()).unwrap();
     let scaled = HalfPlaneGreen::new(SlidingMemory::of_material(&other, 0.4, 100.0).unwrap()).unwrap();
     for x in [-1.0, 0.02, 2.5] {
@@ -177,7 +178,7 @@ fn refusals_instead_of_infinities() {
     assert!(green.antiderivative(0.0).unwrap().value.abs() < 1e-300);
     assert!(SlidingMemory::standard_solid(0.5, 1.0).is_err() && SlidingMemory::standard_solid(f64::NAN, 1.0).is_err());
     assert!(SlidingMemory::standard_solid(10.0, f64::NAN).is_err());
-    let viscous = Material::from_relaxation(0.0, &[RelaxationTerm { modulus: 1e6, relaxation_time: 1.0 }]).unwrap();
+    let viscous = PlaneMaterial::from_relaxation(0.0, &[RelaxationTerm { modulus: 1e6, relaxation_time: 1.0 }]).unwrap();
     assert!(SlidingMemory::of_material(&viscous, 1.0, 1.0).is_err());
     let term = |ratio: f64| MemoryTerm { compliance: 0.45, ratio };
     assert!(SlidingMemory::new(0.1, &[term(1.0), term(-1.0)]).is_err() && SlidingMemory::new(0.2, &[term(1.0), term(1.0)]).is_err());

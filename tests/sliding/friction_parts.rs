@@ -12,11 +12,12 @@
 //! Oracle: Fourier's coefficients of the pressure by quadrature and the complex compliance of the material, harmonic by harmonic (no edge, no energy release, no
 //! eccentricity enters); Johnson's wave in closed form, as δ → 0, at the modulus formed from the complex modulus by hand.
 //!
-//! Tolerance: 1e-5 of the friction: 3000 harmonics, the mean of the rest by its asymptote, which begins at those of the thinnest layer at an edge (1e-3); 1e-8 for the limit of three process zones.
+//! Tolerance: 1e-5 of the friction: 3000 harmonics, the mean of the rest by its asymptote, which begins at those of the thinnest layer at an edge (1e-3); 1e-8 for the
+//! limit of three process zones.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::elastic::{Control, JohnsonWave, WestergaardWave};
 use viscotack::material::CreepTerm;
 use viscotack::sliding::branch::BranchProblem;
@@ -26,14 +27,14 @@ use viscotack::sliding::steady::{Indenter, PartialContact, SlidingControl, Slidi
 const RELAXED: f64 = 0.7e6;
 const HARMONICS: u32 = 3000;
 
-fn solid(beta: f64, shares: &[(f64, f64)]) -> Material {
+fn solid(beta: f64, shares: &[(f64, f64)]) -> PlaneMaterial {
     let gained = (1.0 - 1.0 / beta) / RELAXED;
     let terms: Vec<CreepTerm> =
         shares.iter().map(|&(share, time)| CreepTerm { compliance: gained * share, retardation_time: time }).collect();
-    Material::from_creep(RELAXED * beta, &terms, None).unwrap()
+    PlaneMaterial::from_creep(RELAXED * beta, &terms, None).unwrap()
 }
 
-fn solved(material: &Material, rate: f64, adhesion: WaveAdhesion, pressure: f64) -> (PartialContact, SlidingProblem<'static>) {
+fn solved(material: &PlaneMaterial, rate: f64, adhesion: WaveAdhesion, pressure: f64) -> (PartialContact, SlidingProblem<'static>) {
     let problem = SlidingProblem {
         rate,
         indenter: Indenter::Wave,
@@ -49,7 +50,7 @@ fn solved(material: &Material, rate: f64, adhesion: WaveAdhesion, pressure: f64)
 }
 
 /// 2 Σ Im Ĉ_m |p_m|² from the pressure alone, with the mean of the harmonics that are left out.
-fn dissipation(material: &Material, rate: f64, contact: &PartialContact) -> f64 {
+fn dissipation(material: &PlaneMaterial, rate: f64, contact: &PartialContact) -> f64 {
     let a = contact.state.contact().half_width;
     let nodes = 2 * HARMONICS + 600;
     // y = −a cos φ takes the root singularities away; then the midpoint rule is exact but for exponentially little.
@@ -183,7 +184,7 @@ fn the_reference_of_a_contact_is_the_same_contact_of_a_stiffer_elastic_solid() {
         let SlidingOutcome::Partial(elastic) = reference.found else { panic!("full contact") };
         let modulus = reference.modulus.value;
         // The same in pascals: a glassy modulus of m E0, far above all times, must be the same contact.
-        let stiff = Material::standard_solid(1.0, modulus, 1.0).unwrap();
+        let stiff = PlaneMaterial::standard_solid(1.0, modulus, 1.0).unwrap();
         let SlidingOutcome::Partial(glassy) = steady_sliding(&stiff, &SlidingProblem { rate: 1e13, ..problem }).unwrap() else {
             panic!("full contact")
         };

@@ -14,7 +14,7 @@ mod sec_3_4_branches;
 mod sec_3_4_every_branch;
 mod sec_3_contact_by_fourier_symbol;
 mod sec_3_equilibrium_limits;
-mod sec_3_error_bars;
+mod sec_3_error_bounds;
 mod sec_3_floors;
 mod sec_3_held_loads;
 mod sec_3_invariances;

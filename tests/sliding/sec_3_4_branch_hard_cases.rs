@@ -1,6 +1,6 @@
 //! Source: thesis Sec 3.7; Johnson (1995) with α = 2√(Γ/m), m the modulus over E0; Barquins' cylinder; the narrowest gap of `sliding_sec_3_4_every_branch.rs`.
 //!
-//! Goal: every hard branch turns and ends as theory said before it was run, without a panic, a NaN or a number without a bar.
+//! Goal: every hard branch turns and ends as theory said before it was run, without a panic, a NaN or a number without a bound.
 //!
 //! Parameters: Γ from 1e-6 to 1, δ from 1e-7 to 0.1, β from 1 to 1000, ζ from 0 to 1e7; one and twelve times; π − a and a down to 1e-6; speeds over twelve decades; wrong
 //! numbers.
@@ -10,7 +10,7 @@
 //! load are where it is the snap-in load of their speed); the narrowest gap that a sliding contact can have; the cylinder. No outcome was recorded from a run.
 //!
 //! Tolerance: loads of turns against Johnson 3δ over the half-width of the turn (a finite δ shifts a by 0.65δ; two edges, and the square root of a); snap-in load at
-//! folds in speed and adhesion 1e-6; bars of folds below 1e-7 (relative above one).
+//! folds in speed and adhesion 1e-6; bounds of folds below 1e-7 (relative above one).
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use rayon::prelude::*;
@@ -22,23 +22,23 @@ use viscotack::sliding::branch::{
     Branch, BranchEnd, BranchPath, BranchProblem, BranchStart, ContactAt, FoldQuantity, contacts_of_width, speed_folds, trace,
 };
 use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, WaveAdhesion};
-use viscotack::{Estimate, Material, Refusal};
+use viscotack::{Estimate, PlaneMaterial, Refusal};
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
     WaveAdhesion::even(reduced_work, zone)
 }
 
-fn one_time(beta: f64) -> Material {
-    if beta > 1.0 { Material::standard_solid(1.0, beta, 1.0).unwrap() } else { Material::elastic(1.0).unwrap() }
+fn one_time(beta: f64) -> PlaneMaterial {
+    if beta > 1.0 { PlaneMaterial::standard_solid(1.0, beta, 1.0).unwrap() } else { PlaneMaterial::elastic(1.0).unwrap() }
 }
 
-fn many_times() -> Material {
+fn many_times() -> PlaneMaterial {
     let terms: Vec<CreepTerm> =
         (0..12).map(|index| CreepTerm { compliance: (1.0 - 1.0 / 100.0) / 12.0, retardation_time: 10f64.powi(-index) }).collect();
-    Material::from_creep(100.0, &terms, None).unwrap()
+    PlaneMaterial::from_creep(100.0, &terms, None).unwrap()
 }
 
-/// No number of a result may be a NaN or lack its bar.
+/// No number of a result may be a NaN or lack its bound.
 fn checked(values: &PartialValues) {
     let mut all = vec![
         values.half_width,
@@ -57,7 +57,7 @@ fn checked(values: &PartialValues) {
     }
 }
 
-/// A branch none of whose numbers is without a bar, and none of whose ends is a defect.
+/// A branch none of whose numbers is without a bound, and none of whose ends is a defect.
 fn sound(branch: Branch) -> Branch {
     for fold in &branch.folds {
         checked(&fold.contact);
@@ -81,7 +81,7 @@ fn ensure(holds: bool, text: impl Fn() -> String) -> Result<(), String> {
     if holds { Ok(()) } else { Err(text()) }
 }
 
-fn traced(material: &Material, problem: &BranchProblem) -> Result<Branch, String> {
+fn traced(material: &PlaneMaterial, problem: &BranchProblem) -> Result<Branch, String> {
     trace(material, problem).map(sound).map_err(|refusal| format!("{refusal:?}"))
 }
 
@@ -95,7 +95,7 @@ fn as_johnson(beta: f64, rate: f64, modulus: f64, work: f64, zone: f64) -> Outco
     let branch = traced(&one_time(beta), &problem)?;
     let wave = JohnsonWave::new(WestergaardWave::new(1.0, 2.0 * PI, 1.0).unwrap(), PI * work / modulus).unwrap();
     let alpha = 2.0 * (work / modulus).sqrt();
-    let mut told = format!("α = {alpha:.4}:");
+    let mut reported = format!("α = {alpha:.4}:");
     let found = [("pull-off", branch.pull_off(&problem)), ("snap-in", branch.snap_in()), ("separation", branch.separation())];
     let expected = [
         (alpha < PARTIAL_CONTACT_LIMIT).then(|| wave.pull_off(Control::Load).unwrap()),
@@ -104,7 +104,7 @@ fn as_johnson(beta: f64, rate: f64, modulus: f64, work: f64, zone: f64) -> Outco
     ];
     for ((name, fold), state) in found.into_iter().zip(expected) {
         match (fold, state) {
-            (None, None) => told += &format!(" no {name}"),
+            (None, None) => reported += &format!(" no {name}"),
             (Some(fold), Some(state)) => {
                 let near = state.contact_half_width.min(PI - state.contact_half_width);
                 let (value, exact) = match fold.quantity {
@@ -117,22 +117,22 @@ fn as_johnson(beta: f64, rate: f64, modulus: f64, work: f64, zone: f64) -> Outco
                     FoldQuantity::Penetration => half.sin().powi(2) - 4.0 * (work * half.tan() / modulus).sqrt() * half.sin().ln(),
                     _ => modulus * half.sin().powi(2) + 2.0 * (modulus * work * half.tan()).sqrt(),
                 };
-                told += &format!(" {name} {value:.5} ({exact:.5})");
+                reported += &format!(" {name} {value:.5} ({exact:.5})");
                 ensure(fold.value.error < 1e-7 * value.abs().max(1.0), || format!("{name}: {:?}", fold.value))?;
                 ensure((value - exact).abs() < 3.0 * zone / near * size, || format!("{name}: {value}, Johnson {exact}"))?;
             }
-            (None, Some(state)) if state.contact_half_width < 3.0 * zone => told += &format!(" {name} within the zone"),
+            (None, Some(state)) if state.contact_half_width < 3.0 * zone => reported += &format!(" {name} within the zone"),
             (fold, state) => return Err(format!("{name}: found {:?}, stated {state:?}", fold.map(|fold| fold.value))),
         }
     }
     // Without load only below the smaller critical adhesion.
     let unloaded = branch.zero_load.iter().any(|point| branch.snap_in().is_some_and(|snap_in| point.arclength < snap_in.arclength));
     ensure(unloaded == (alpha < SPONTANEOUS_FULL_CONTACT), || format!("{} contacts without load at α = {alpha}", branch.zero_load.len()))?;
-    Ok(told)
+    Ok(reported)
 }
 
 /// The contacts of a row of half-widths that continue one of a middle width of the smallest eccentricity, from narrow to wide; none if there is none at that width.
-fn row(material: &Material, problem: &BranchProblem, middle: f64) -> Vec<ContactAt> {
+fn row(material: &PlaneMaterial, problem: &BranchProblem, middle: f64) -> Vec<ContactAt> {
     let place = |width: f64| (0.5 * width).tan().ln();
     let [from, to] = problem.half_widths.map(place);
     let at = |place: f64| contacts_of_width(material, problem, 2.0 * place.exp().atan()).unwrap_or_default();
@@ -172,14 +172,14 @@ fn turns(row: &[ContactAt], value: impl Fn(&ContactAt) -> f64) -> Vec<(i32, f64,
 }
 
 /// The turns of load and penetration of a branch are those of the scan, each between the half-widths where the scan has it.
-fn as_scanned(material: &Material, problem: &BranchProblem, middle: f64) -> Outcome {
+fn as_scanned(material: &PlaneMaterial, problem: &BranchProblem, middle: f64) -> Outcome {
     let row = row(material, problem, middle);
     let found = traced(material, problem);
     if row.is_empty() {
         return Err(format!("no contact of half-width {middle}: {:?}", found.map(|branch| branch.ends)));
     }
     let branch = found?;
-    let mut told = format!("{} contacts;", row.len());
+    let mut reported = format!("{} contacts;", row.len());
     let pressure: fn(&ContactAt) -> f64 = |contact| contact.mean_pressure;
     let depth: fn(&ContactAt) -> f64 = |contact| contact.penetration;
     for (quantity, value) in [(FoldQuantity::MeanPressure, pressure), (FoldQuantity::Penetration, depth)] {
@@ -188,7 +188,7 @@ fn as_scanned(material: &Material, problem: &BranchProblem, middle: f64) -> Outc
                 let width = fold.contact.half_width.value;
                 width > narrow && width < wide && (fold.turn == viscotack::sliding::branch::Turn::Maximum) == (sign > 0)
             });
-            told += &format!(" {quantity:?} {} at {narrow:.3} to {wide:.3}", if sign > 0 { "largest" } else { "smallest" });
+            reported += &format!(" {quantity:?} {} at {narrow:.3} to {wide:.3}", if sign > 0 { "largest" } else { "smallest" });
             ensure(fold.is_some(), || {
                 format!(
                     "{quantity:?} turns at {narrow}..{wide} in the scan; folds {:?}",
@@ -208,11 +208,11 @@ fn as_scanned(material: &Material, problem: &BranchProblem, middle: f64) -> Outc
             }
         }
     }
-    Ok(told)
+    Ok(reported)
 }
 
 /// No contact at any of 97 half-widths: the branch is refused, with that reason.
-fn nowhere(material: &Material, problem: &BranchProblem) -> Outcome {
+fn nowhere(material: &PlaneMaterial, problem: &BranchProblem) -> Outcome {
     for index in 0..97 {
         let [from, to] = problem.half_widths;
         let width = from + (to - from) * (f64::from(index) + 0.5) / 97.0;
@@ -242,20 +242,20 @@ fn gap_of_snap_in(beta: f64, pressure: f64, work: f64) -> Outcome {
         let branch = trace(&material, &BranchProblem::loads(rate, adhesion, 1e-8));
         branch.ok().and_then(|branch| branch.snap_in().map(|fold| fold.value.value))
     };
-    let mut told = String::new();
+    let mut reported = String::new();
     for fold in [&gap.lower, &gap.upper] {
         let rate = fold.parameter().value;
         ensure(fold.value.error < 1e-7, || format!("{:?}", fold.value))?;
         let there = snap_in(rate).ok_or(format!("no snap-in at {rate}"))?;
-        told += &format!("p_IN = {there:.9} at ζ = {rate:.4e}; ");
+        reported += &format!("p_IN = {there:.9} at ζ = {rate:.4e}; ");
         ensure((there - pressure).abs() < 1e-6 * pressure.abs().max(1.0), || format!("p_IN = {there} at ζ = {rate}"))?;
     }
     let middle = snap_in((gap.lower.parameter().value * gap.upper.parameter().value).sqrt());
     ensure(middle.is_none_or(|there| there < pressure), || format!("p_IN = {middle:?} between"))?;
-    Ok(format!("{told}p_IN = {middle:?} between"))
+    Ok(format!("{reported}p_IN = {middle:?} between"))
 }
 
-/// A load that neither Johnson's relaxed nor his glassy wave bears: no branch from either side.
+/// A load that neither Johnson's relaxed nor his glassy wave carries: no branch from either side.
 fn beyond_both(pressure: f64) -> Outcome {
     let (beta, work) = (1000.0, 0.003);
     for modulus in [1.0, beta] {
@@ -425,7 +425,7 @@ fn cases() -> Vec<Case> {
     ] {
         add(
             format!("no contact, β = {beta}, ζ = {rate:e}, Γ = {work:e}, δ = {zone:e}"),
-            "losses raise the adhesion of the trailing edge above what any partial contact bears: none at 97 half-widths, whatever the load",
+            "losses raise the adhesion of the trailing edge above what any partial contact carries: none at 97 half-widths, whatever the load",
             Box::new(move || nowhere(&one_time(beta), &held_loads(rate, work, zone))),
         );
     }

@@ -32,20 +32,20 @@ use viscotack::sliding::branch::{
 use viscotack::sliding::contact::{ContactMemory, Resolution};
 use viscotack::sliding::edge_balance::EdgeBalance;
 use viscotack::sliding::steady::{Indenter, SlidingControl, WaveAdhesion};
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
     WaveAdhesion::even(reduced_work, zone)
 }
 
-fn one_time(beta: f64) -> Material {
-    Material::standard_solid(1.0, beta, 1.0).unwrap()
+fn one_time(beta: f64) -> PlaneMaterial {
+    PlaneMaterial::standard_solid(1.0, beta, 1.0).unwrap()
 }
 
-fn three_times() -> Material {
+fn three_times() -> PlaneMaterial {
     let terms: Vec<CreepTerm> =
         [1.0, 0.02, 1e-4].map(|retardation_time| CreepTerm { compliance: (1.0 - 1.0 / 30.0) / 3.0, retardation_time }).into();
-    Material::from_creep(30.0, &terms, None).unwrap()
+    PlaneMaterial::from_creep(30.0, &terms, None).unwrap()
 }
 
 /// The value at zero of the polynomial through pairs (Neville).
@@ -90,7 +90,7 @@ fn johnson(work: f64) -> JohnsonWave {
 
 #[test]
 fn elastic_turns_become_those_of_johnson_as_the_zone_vanishes() {
-    let material = Material::elastic(1.0).unwrap();
+    let material = PlaneMaterial::elastic(1.0).unwrap();
     for work in [0.001, 0.01, 0.06] {
         let wave = johnson(work);
         let [pull_off, snap_in, separation] =
@@ -146,7 +146,7 @@ fn elastic_turns_become_those_of_johnson_as_the_zone_vanishes() {
 
 #[test]
 fn the_two_critical_adhesions_of_johnson_are_reached() {
-    let material = Material::elastic(1.0).unwrap();
+    let material = PlaneMaterial::elastic(1.0).unwrap();
     let zones = [0.02, 0.01, 0.005, 0.0025, 0.00125];
     // Pull-off and snap-in merge where the Γ at which the load turns at a half-width is largest over half-widths.
     let middle = 2.0 * 0.6_f64.sqrt().atan();
@@ -208,7 +208,7 @@ fn the_two_critical_adhesions_of_johnson_are_reached() {
 }
 
 /// The turn of kept points about a fold: (location, value) of the quantity over the half-width.
-fn turned_again(material: &Material, problem: &BranchProblem, fold: &Fold) -> (f64, f64) {
+fn turned_again(material: &PlaneMaterial, problem: &BranchProblem, fold: &Fold) -> (f64, f64) {
     let half_width = fold.contact.half_width.value;
     let window = 0.04 * half_width.sin();
     let around = BranchProblem {
@@ -244,7 +244,7 @@ fn turned_again(material: &Material, problem: &BranchProblem, fold: &Fold) -> (f
 fn each_fold_is_found_twice() {
     let mut worst = (0.0_f64, 0.0_f64);
     let mut count = 0;
-    let mut check = |text: &str, material: &Material, problem: &BranchProblem, fold: &Fold| {
+    let mut check = |text: &str, material: &PlaneMaterial, problem: &BranchProblem, fold: &Fold| {
         let (place, value) = turned_again(material, problem, fold);
         let (off, moved) = (value - fold.value.value, place - fold.contact.half_width.value);
         println!(
@@ -304,7 +304,9 @@ fn comes_back(balance: &EdgeBalance, at_rest: [f64; 2], push: [f64; 2], rate: f6
 fn stability_is_what_moved_edges_do() {
     let (mut checked, mut skipped) = (0, 0);
     let mut kinds = std::collections::BTreeMap::new();
-    for (material, rate) in [(Material::elastic(1.0).unwrap(), 0.0), (one_time(10.0), 0.01), (one_time(10.0), 1.0), (three_times(), 10.0)] {
+    for (material, rate) in
+        [(PlaneMaterial::elastic(1.0).unwrap(), 0.0), (one_time(10.0), 0.01), (one_time(10.0), 1.0), (three_times(), 10.0)]
+    {
         let problem = BranchProblem { points: 14, half_widths: [0.03, 2.9], ..BranchProblem::loads(rate, adhesion(0.003, 0.01), 1e-9) };
         let branch = trace(&material, &problem).unwrap();
         let memory = Arc::new(ContactMemory::new(&material, rate).unwrap());
@@ -312,7 +314,7 @@ fn stability_is_what_moved_edges_do() {
             let values = &point.values;
             let (half_width, eccentricity) = (values.half_width.value, values.eccentricity.value);
             let at_rest = [half_width - eccentricity, half_width + eccentricity];
-            for (control, frame, told) in [
+            for (control, frame, reported) in [
                 (SlidingControl::MeanPressure(values.mean_pressure.value), 0.0, point.variations.under_load()),
                 (SlidingControl::Penetration(values.penetration.value), f64::INFINITY, point.variations.under_penetration()),
             ] {
@@ -342,11 +344,11 @@ fn stability_is_what_moved_edges_do() {
                 }
                 let pace = 0.5 / (one.abs() + two.abs()).max(three.abs() + four.abs());
                 let back = [[1.0, 1.0], [1.0, -0.7]].map(|push| comes_back(&balance, at_rest, push.map(|part| 0.1 * part * step), pace));
-                let expected = if told == Stability::Stable { [Some(true); 2] } else { [Some(false); 2] };
+                let expected = if reported == Stability::Stable { [Some(true); 2] } else { [Some(false); 2] };
                 // An unstable equilibrium may be approached along the way that is held, but not from both sides of it.
-                let agrees = if told == Stability::Stable { back == expected } else { back.contains(&Some(false)) };
-                assert!(agrees, "a = {half_width}, {control:?}: {told:?} {back:?} {matrix:?}");
-                *kinds.entry(format!("{told:?} at {}", if frame > 0.0 { "fixed Δ" } else { "fixed p̄" })).or_insert(0) += 1;
+                let agrees = if reported == Stability::Stable { back == expected } else { back.contains(&Some(false)) };
+                assert!(agrees, "a = {half_width}, {control:?}: {reported:?} {back:?} {matrix:?}");
+                *kinds.entry(format!("{reported:?} at {}", if frame > 0.0 { "fixed Δ" } else { "fixed p̄" })).or_insert(0) += 1;
                 checked += 1;
             }
         }
@@ -358,7 +360,7 @@ fn stability_is_what_moved_edges_do() {
 #[test]
 fn a_frame_lies_between_load_and_penetration() {
     // Elastic: the frame stiffness at which a contact beyond pull-off is lost is minus the slope dp̄/dΔ of the branch.
-    let material = Material::elastic(1.0).unwrap();
+    let material = PlaneMaterial::elastic(1.0).unwrap();
     let problem = BranchProblem::loads(0.0, adhesion(0.01, 1e-3), 1e-10);
     for half_width in [0.15, 0.2, 0.25, 2.6, 2.8] {
         let slopes = load_slopes(&material, &problem, half_width, None).unwrap();
@@ -401,7 +403,7 @@ fn toughness_is_its_integral_and_strength_comes_in_one_call() {
                 (4.0 * (trapezium(&low, &middle) + trapezium(&middle, &high)) - trapezium(&low, &high)) / 3.0
             })
             .sum::<f64>();
-    let material = Material::elastic(1.0).unwrap();
+    let material = PlaneMaterial::elastic(1.0).unwrap();
     let values: Vec<(f64, f64)> = (0..5)
         .map(|power| {
             let zone = 0.016 * 0.5_f64.powi(power);
@@ -502,7 +504,7 @@ fn two_hundred_points_of_a_branch() {
 fn twelve_times_take_no_more_evaluations_than_one() {
     let terms: Vec<CreepTerm> =
         (0..12).map(|index| CreepTerm { compliance: (1.0 - 1.0 / 100.0) / 12.0, retardation_time: 10f64.powi(-index) }).collect();
-    let material = Material::from_creep(100.0, &terms, None).unwrap();
+    let material = PlaneMaterial::from_creep(100.0, &terms, None).unwrap();
     let problem = BranchProblem { half_widths: [0.05, 2.9], points: 10, ..BranchProblem::loads(1.0, adhesion(0.003, 0.01), 1e-8) };
     let begin = std::time::Instant::now();
     let branch = trace(&material, &problem).unwrap();

@@ -1,5 +1,5 @@
-//! Source: theory of `sliding::branch::every` (both conditions are quadratic forms in cos e, sin e and p̄), thesis Sec 3.7, Johnson (1995); the asymptotics of narrow gaps below
-//! are our own.
+//! Source: theory of `sliding::branch::every` (both conditions are quadratic forms in cos e, sin e and p̄), thesis Sec 3.7, Johnson (1995); the asymptotics of narrow
+//! gaps below are our own.
 //!
 //! Goal: no contact and no branch is missed. Every contact of a half-width is found; a branch that neither the slow nor the fast contact belongs to is found; between
 //! two folds there is none; near full contact and in vanishing contacts the numbers are those of other theories.
@@ -10,13 +10,15 @@
 //! ```
 //! The stress that a gap releases relaxes on the way over it by rσ per length, and only the slope of the pressure of the wave there, |E| sin(φ − e), can make up for it.
 //!
-//! Parameters: β = 10 to 1000, ζ = 0.1 to 1e4, Γ = 1e-5 to 0.005, δ/a and δ/c from 0.1 to 1e-3, a and π − a from 2 to 1e-6; 80 random problems, Γ = 1e-6 to 1, δ = 1e-6 to 0.1.
+//! Parameters: β = 10 to 1000, ζ = 0.1 to 1e4, Γ = 1e-5 to 0.005, δ/a and δ/c from 0.1 to 1e-3, a and π − a from 2 to 1e-6; 80 random problems, Γ = 1e-6 to 1, δ = 1e-6
+//! to 0.1.
 //!
-//! Oracle: Newton's method from random starts; collocation; p_out of the branches of loads (an isola in speed is where it is below its value at both ends of the speeds); the
-//! formulas above; Johnson's wave as δ → 0; the cylinder.
+//! Oracle: Newton's method from random starts; collocation; p_out of the branches of loads (an isola in speed is where it is below its value at both ends of the
+//! speeds); the formulas above; Johnson's wave as δ → 0; the cylinder.
 //!
-//! Tolerance: near full contact 1e-8 of p̄ elastic, extrapolated over four δ; sliding 1e-4 (the next order is c/ε and δ/c squared); cylinder 1e-5 of p̄, extrapolated; folds of the
-//! isola where p_out passes the load to 1e-6. Bars of folds hold in at least 98 of 100, and their median is at most a hundred times the error; of random branches no end is a defect and at most one turn in twenty is unlocated (two in a hundred seen).
+//! Tolerance: near full contact 1e-8 of p̄ elastic, extrapolated over four δ; sliding 1e-4 (the next order is c/ε and δ/c squared); cylinder 1e-5 of p̄, extrapolated;
+//! folds of the isola where p_out passes the load to 1e-6. Bounds of folds hold in at least 98 of 100, and their median is at most a hundred times the error; of random
+//! branches no end is a defect and at most one turn in twenty is unlocated (two in a hundred seen).
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
@@ -24,7 +26,7 @@ use crate::support;
 use std::f64::consts::PI;
 use std::sync::Arc;
 use support::random::Uniform;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::sliding::branch::{
     BranchEnd, BranchPath, BranchProblem, BranchStart, ContactAt, FoldQuantity, Impossible, Scan, SecondVariations, Stability,
     beyond_both_ends, contacts_of_width, every_branch, speed_folds, trace,
@@ -40,8 +42,8 @@ fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
     WaveAdhesion::even(reduced_work, zone)
 }
 
-fn one_time(beta: f64) -> Material {
-    if beta > 1.0 { Material::standard_solid(1.0, beta, 1.0).unwrap() } else { Material::elastic(1.0).unwrap() }
+fn one_time(beta: f64) -> PlaneMaterial {
+    if beta > 1.0 { PlaneMaterial::standard_solid(1.0, beta, 1.0).unwrap() } else { PlaneMaterial::elastic(1.0).unwrap() }
 }
 
 /// Loads of any half-width.
@@ -50,7 +52,7 @@ fn loads(rate: f64, adhesion: WaveAdhesion) -> BranchProblem<'static> {
 }
 
 /// The contact of a scan to nine digits.
-fn accurate(material: &Material, problem: &BranchProblem, contact: &ContactAt) -> PartialValues {
+fn accurate(material: &PlaneMaterial, problem: &BranchProblem, contact: &ContactAt) -> PartialValues {
     let steady = SlidingProblem {
         rate: problem.rate,
         indenter: problem.indenter,
@@ -213,13 +215,13 @@ fn an_isola_is_where_pull_off_is_strongest_between_the_ends() {
         println!("isola turns at ζ = {:.9}, where p_out = {there:.12}", fold.exp());
         assert!((there - load).abs() < 1e-6 * load.abs(), "{there}");
     }
-    // The folds of speeds find it as well, where neither elastic limit bears the load.
+    // The folds of speeds find it as well, where neither elastic limit carries the load.
     let at_load = |load: f64| BranchProblem { path: BranchPath::Speeds(SlidingControl::MeanPressure(load)), ..problem };
     assert!(beyond_both_ends(&material, &at_load(-0.05)) && !beyond_both_ends(&material, &at_load(-0.01)));
     let both = speed_folds(&material, &problem).unwrap();
     assert!(both.slow.is_err() && both.fast.as_ref().is_some_and(Result::is_err) && both.others.is_empty());
-    let isola: Vec<_> = both.apart.iter().filter(|branch| branch.ends == BranchEnd::Closed).collect();
-    assert_eq!(isola.len(), 1, "{} branches", both.apart.len());
+    let isola: Vec<_> = both.isolated.iter().filter(|branch| branch.ends == BranchEnd::Closed).collect();
+    assert_eq!(isola.len(), 1, "{} branches", both.isolated.len());
     let turns: Vec<f64> = isola[0].folds_of(FoldQuantity::LogRate).map(|fold| fold.parameter().value).collect();
     assert_eq!(turns.len(), 2);
     for (known, name) in [(1.0263, "smallest"), (5.6409, "largest")] {
@@ -227,11 +229,11 @@ fn an_isola_is_where_pull_off_is_strongest_between_the_ends() {
         let other = folds.iter().map(|fold| fold.exp()).find(|fold| (fold / known - 1.0).abs() < 1e-4).unwrap();
         assert!(turns.iter().any(|turn| (turn / other - 1.0).abs() < 1e-9), "{other} {turns:?}");
     }
-    // No contact narrower than one third of the wave bears more than the middle: the scan is the witness.
+    // No contact narrower than one third of the wave carries more than the middle: the scan is the witness.
     let narrow = [0.03, 1.0];
     let more = speed_folds(&material, &BranchProblem { half_widths: narrow, ..at_load(1.02 * middle) });
     let more = more.unwrap();
-    assert!(more.at_no_speed() && more.apart.is_empty() && more.no_contact.is_none() && more.scan_evaluations > 1000, "{more:?}");
+    assert!(more.at_no_speed() && more.isolated.is_empty() && more.no_contact.is_none() && more.scan_evaluations > 1000, "{more:?}");
     assert!(more.everywhere.unwrap().scan.parameters > 30 && !both.at_no_speed());
     // A load that the middle does not hold has none.
     let beyond = BranchProblem::speeds(SlidingControl::MeanPressure(1.02 * middle), [1e-4, 1e4], BranchStart::Slow, adhesion, 1e-6);
@@ -293,7 +295,7 @@ fn a_gap_of_a_millionth_has_the_load_of_johnsons_wave() {
 }
 
 /// E = |E|e^{iφ} of the first harmonic and r, how fast a stress relaxes at once.
-fn harmonic(material: &Material, rate: f64) -> (f64, f64, f64) {
+fn harmonic(material: &PlaneMaterial, rate: f64) -> (f64, f64, f64) {
     let modulus = material.complex_modulus(rate).unwrap();
     let (storage, loss) = (modulus.storage, modulus.loss);
     let relaxing: f64 = material.relaxation_terms().iter().map(|term| term.modulus / (rate * term.relaxation_time)).sum();
@@ -359,9 +361,9 @@ fn no_sliding_gap_is_narrower_than_its_relaxation_allows() {
 }
 
 #[test]
-fn stability_is_told_to_a_gap_of_a_millionth() {
-    // Under a held load the determinant of the second variations changes its sign with dp̄/da of the branch alone: from the last turn of the load to full contact it has one
-    // sign. There the load falls as the contact widens, and the gap closes by itself.
+fn stability_is_known_to_a_gap_of_a_millionth() {
+    // Under a held load the determinant of the second variations changes its sign with dp̄/da of the branch alone: from the last turn of the load to full contact it
+    // has one sign. There the load falls as the contact widens, and the gap closes by itself.
     for (beta, rate, work) in [(1.0, 0.0, 0.003), (1.0, 0.0, 1e-6), (10.0, 1e4, 1e-4), (3.0, 1e4, 0.003), (200.0, 1e5, 1e-4)] {
         let material = one_time(beta);
         let half_width = PI - 1e-6;
@@ -371,11 +373,11 @@ fn stability_is_told_to_a_gap_of_a_millionth() {
         let last_turn = branch.folds.iter().map(|fold| fold.contact.half_width.value).fold(0.0, f64::max);
         let near: Vec<_> = branch.points.iter().filter(|point| point.values.half_width.value > last_turn.max(PI - 0.1)).collect();
         let narrowest = near.iter().map(|point| PI - point.values.half_width.value).fold(f64::INFINITY, f64::min);
-        let told =
+        let reported =
             |of: fn(&SecondVariations) -> Stability| near.iter().filter(|point| of(&point.variations) != Stability::Marginal).count();
-        let (load, depth) = (told(SecondVariations::under_load), told(SecondVariations::under_penetration));
+        let (load, depth) = (reported(SecondVariations::under_load), reported(SecondVariations::under_penetration));
         println!(
-            "β = {beta}, ζ = {rate:e}, Γ = {work:e}: {} contacts to π − a = {narrowest:.1e}, {load} told under load and {depth} under penetration; {:?}",
+            "β = {beta}, ζ = {rate:e}, Γ = {work:e}: {} contacts to π − a = {narrowest:.1e}, {load} reported under load and {depth} under penetration; {:?}",
             near.len(),
             branch.ends
         );
@@ -498,7 +500,7 @@ fn no_random_branch_ends_in_a_defect() {
 }
 
 #[test]
-fn bars_of_folds_hold_and_are_not_far_too_wide() {
+fn bounds_of_folds_hold_and_are_not_far_too_wide() {
     let mut uniform = Uniform::new();
     let (mut held, mut count) = (0, 0);
     let mut ratios = Vec::new();
@@ -526,7 +528,7 @@ fn bars_of_folds_hold_and_are_not_far_too_wide() {
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
     println!(
-        "{held} of {count} bars hold; over the error: median {median:.1}, a tenth below {:.1}, a tenth above {:.1}",
+        "{held} of {count} bounds hold; over the error: median {median:.1}, a tenth below {:.1}, a tenth above {:.1}",
         ratios[count / 10],
         ratios[count - count / 10 - 1]
     );

@@ -15,22 +15,22 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Prescribed, WaveContact};
 
 const HARMONICS: usize = 2000;
 const POINTS: usize = 2000;
 
-fn material(relaxed: f64, beta: f64, times: &[f64]) -> Material {
+fn material(relaxed: f64, beta: f64, times: &[f64]) -> PlaneMaterial {
     let gained = (1.0 - 1.0 / beta) / relaxed;
     let terms: Vec<CreepTerm> =
         times.iter().map(|&retardation_time| CreepTerm { compliance: gained / times.len() as f64, retardation_time }).collect();
-    Material::from_creep(relaxed * beta, &terms, None).unwrap()
+    PlaneMaterial::from_creep(relaxed * beta, &terms, None).unwrap()
 }
 
 /// Ĉ_m of a material at a rate kv, from its creep series alone.
-fn symbol(material: &Material, rate: f64, harmonic: f64) -> (f64, f64) {
+fn symbol(material: &PlaneMaterial, rate: f64, harmonic: f64) -> (f64, f64) {
     let relaxed = material.relaxed_modulus();
     let (mut real, mut imaginary) = (relaxed / material.glassy_modulus(), 0.0);
     for term in material.creep_terms() {
@@ -41,7 +41,7 @@ fn symbol(material: &Material, rate: f64, harmonic: f64) -> (f64, f64) {
     (real, imaginary)
 }
 
-fn check(name: &str, material: &Material, rate: f64, contact: WaveContact, mean_pressure: f64) {
+fn check(name: &str, material: &PlaneMaterial, rate: f64, contact: WaveContact, mean_pressure: f64) {
     let memory = ContactMemory::new(material, rate).unwrap();
     let state = ContactState::new(&memory, contact, Prescribed::MeanPressure(mean_pressure)).unwrap();
     let a = contact.half_width;
@@ -135,7 +135,7 @@ fn both_controls_agree_and_the_elastic_contact_is_recovered() {
     assert!((by_depth.mean_pressure() - 0.13).abs() < 1e-14, "{}", by_depth.mean_pressure());
     assert!((by_depth.friction_stress() / by_load.friction_stress() - 1.0).abs() < 1e-13);
     // Elastic and centred: Δ = 1 − (1 − s² + 2s² ln s) − D ln s with D = 2(p̄ − s²) (theory of the Westergaard wave).
-    let elastic = Material::elastic(2.5e6).unwrap();
+    let elastic = PlaneMaterial::elastic(2.5e6).unwrap();
     let memory = ContactMemory::new(&elastic, 1.0).unwrap();
     let state = ContactState::new(&memory, WaveContact { half_width: 1.1, eccentricity: 0.0 }, Prescribed::MeanPressure(0.2)).unwrap();
     let s = 0.55_f64.sin();
@@ -148,7 +148,7 @@ fn both_controls_agree_and_the_elastic_contact_is_recovered() {
 fn splitting_a_term_or_adding_a_vanishing_one_changes_nothing() {
     let contact = WaveContact { half_width: 1.3, eccentricity: 0.04 };
     let solved = |terms: &[CreepTerm]| {
-        let material = Material::from_creep(6.6e7, terms, None).unwrap();
+        let material = PlaneMaterial::from_creep(6.6e7, terms, None).unwrap();
         ContactState::new(&ContactMemory::new(&material, 1.7).unwrap(), contact, Prescribed::MeanPressure(0.1)).unwrap()
     };
     let term = |compliance: f64, retardation_time: f64| CreepTerm { compliance, retardation_time };
@@ -181,7 +181,7 @@ fn separation_keeps_its_digits_near_full_contact() {
         let again = ContactState::new(&memory, contact, Prescribed::MeanSeparation(state.mean_separation())).unwrap();
         assert!((again.mean_pressure() - 0.3).abs() < 1e-13, "{half_width}: {}", again.mean_pressure());
     }
-    let elastic = ContactMemory::new(&Material::elastic(1.0).unwrap(), 1.0).unwrap();
+    let elastic = ContactMemory::new(&PlaneMaterial::elastic(1.0).unwrap(), 1.0).unwrap();
     for gap in [1e-2_f64, 1e-4, 1e-6] {
         let contact = WaveContact { half_width: PI - gap, eccentricity: 0.0 };
         let s = (0.5 * contact.half_width).sin();

@@ -15,7 +15,7 @@ use crate::support;
 
 use std::f64::consts::PI;
 use support::sliding::{contact_at_rate, contact_near};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
 use viscotack::elastic::johnson_wave::WaveBranch;
@@ -40,7 +40,7 @@ fn johnson(modulus: f64, mean_pressure: f64) -> f64 {
 
 #[test]
 fn elastic_contact_meets_johnsons_wave_at_first_order_in_the_process_zone() {
-    let material = Material::elastic(0.7e6).unwrap();
+    let material = PlaneMaterial::elastic(0.7e6).unwrap();
     let memory = ContactMemory::new(&material, 1.0).unwrap();
     for mean_pressure in [-0.02, 0.0, 0.05] {
         let exact = johnson(1.0, mean_pressure);
@@ -76,7 +76,7 @@ fn both_limits_of_the_speed_are_johnsons_waves_at_first_order_in_the_process_zon
                 retardation_time: 0.4 * 0.3_f64.powi(index),
             })
             .collect();
-        let material = Material::from_creep(relaxed * beta, &terms, None).unwrap();
+        let material = PlaneMaterial::from_creep(relaxed * beta, &terms, None).unwrap();
         for mean_pressure in [-0.02, 0.05] {
             for (name, modulus, rate) in [("slow", 1.0, 1e-12), ("fast", beta, 1e12)] {
                 let exact = johnson(modulus, mean_pressure);
@@ -102,7 +102,7 @@ fn both_limits_of_the_speed_are_johnsons_waves_at_first_order_in_the_process_zon
 #[test]
 fn edges_of_a_slow_contact_are_steady_cracks() {
     for (beta, ratio, zone) in [(10.0, 1e-4, 1e-4), (10.0, 3e-5, 1e-4), (100.0, 1e-4, 2e-5)] {
-        let material = Material::standard_solid(0.7e6, 0.7e6 * beta, 0.2).unwrap();
+        let material = PlaneMaterial::standard_solid(0.7e6, 0.7e6 * beta, 0.2).unwrap();
         let memory = ContactMemory::new(&material, ratio / 0.2).unwrap();
         let mean_pressure = 0.02;
         let start = WaveContact { half_width: johnson(1.0, mean_pressure), eccentricity: 0.0 };

@@ -5,17 +5,17 @@
 //!
 //! Parameters: ζ from 1e-6 to 1e4 of the slowest of 1, 2, 6 and 12 terms over as many decades; β 10 and 1000; Γ = 0.002; δ from 1e-6 to 1e-2.
 //!
-//! Oracle: the error bars, which other tests hold against the truth; vanishing quantities by their proportionality to ζ (the relative error of a ratio
+//! Oracle: the error bounds, which other tests hold against the truth; vanishing quantities by their proportionality to ζ (the relative error of a ratio
 //! of two of them).
 //!
 //! Tolerance: as pinned, with a margin of about 4 over what is met.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::steady::{Indenter, PartialContact, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 
-fn material(beta: f64, count: u32) -> Material {
+fn material(beta: f64, count: u32) -> PlaneMaterial {
     let relaxed = 0.9e6;
     let terms: Vec<CreepTerm> = (0..count)
         .map(|index| CreepTerm {
@@ -23,10 +23,10 @@ fn material(beta: f64, count: u32) -> Material {
             retardation_time: 10f64.powi(-i32::try_from(index).unwrap()),
         })
         .collect();
-    Material::from_creep(relaxed * beta, &terms, None).unwrap()
+    PlaneMaterial::from_creep(relaxed * beta, &terms, None).unwrap()
 }
 
-fn solved(material: &Material, rate: f64, zone: Option<f64>) -> Option<PartialContact> {
+fn solved(material: &PlaneMaterial, rate: f64, zone: Option<f64>) -> Option<PartialContact> {
     let problem = SlidingProblem {
         rate,
         indenter: Indenter::Wave,
@@ -73,7 +73,7 @@ fn floors_over_speed_and_terms() {
 
 #[test]
 fn eccentricity_and_friction_vanish_with_the_speed_and_so_do_their_digits() {
-    println!("{:>8} {:>12} {:>9} {:>12} {:>9}", "ζ", "e/ζ", "rel. bar", "friction/ζ", "rel. bar");
+    println!("{:>8} {:>12} {:>9} {:>12} {:>9}", "ζ", "e/ζ", "rel. bound", "friction/ζ", "rel. bound");
     let solid = material(10.0, 1);
     let mut last: Option<(f64, f64)> = None;
     for exponent in [-3, -4, -5, -6] {
@@ -87,7 +87,7 @@ fn eccentricity_and_friction_vanish_with_the_speed_and_so_do_their_digits() {
             friction.value / ratio,
             friction.relative_error()
         );
-        // Proportional to ζ, with a correction of higher order, to as many digits as the bars leave.
+        // Proportional to ζ, with a correction of higher order, to as many digits as the bounds leave.
         if let Some((before_e, before_friction)) = last {
             assert!((e.value / ratio - before_e).abs() < 20.0 * ratio + e.error / ratio);
             assert!((friction.value / ratio - before_friction).abs() < 20.0 * ratio + friction.error / ratio);

@@ -1,25 +1,26 @@
 //! Source: `reference_data/sliding_held_loads.csv`, written by `verification/references/sliding_held_loads.py` (thesis Secs 3.2 and 3.3, Eqs 3.23 to 3.30).
 //!
-//! Goal: under a held mean pressure the solver returns the contact that is stable under it; beyond the limits of this speed it says full contact or no such state, with the
-//! limit of this speed.
+//! Goal: under a held mean pressure the solver returns the contact that is stable under it; beyond the limits of this speed it says full contact or no such state, with
+//! the limit of this speed.
 //!
 //! ```text
 //! reference:  the integral equation collocated; all eccentricities and half-widths scanned; stability by differences of collocated works
 //! ```
-//! Parameters: one, two and six terms, β from 2 to 100, sliding ratios from 0.014 to 100, with and without adhesion, equal and unequal works, negative snap-in; the scene of
+//! Parameters: one, two and six terms, β from 2 to 100, sliding ratios from 0.014 to 100, with and without adhesion, equal and unequal works, negative snap-in; the scene
+//! of
 //! `new sliding` at three speeds. E0 = 2.3 MPa and kv = 7/s, no units.
 //!
 //! Oracle: the file; limits without adhesion: |E*(kv)| in closed form.
 //!
 //! Tolerance: three units of the last confirmed digit, or 1e-7, of values; of limits three units of the last confirmed digit, or 1e-4 (the load may turn just
-//! after one edge alone runs away; a wrong limit is off by a tenth at least).
+//! after one edge alone becomes unstable; a wrong limit is off by a tenth at least).
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
 
 use std::collections::BTreeMap;
 use support::{Row, reference_rows};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::Refusal;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
@@ -30,13 +31,13 @@ const LIMIT: f64 = 1e-4;
 
 /// A problem of the file: its rows by what is held, and its limits.
 struct Case {
-    material: Material,
+    material: PlaneMaterial,
     adhesion: Option<WaveAdhesion>,
     held: Vec<(f64, Vec<Row>)>,
     limits: Vec<(String, f64, f64)>,
 }
 
-fn material(row: &Row) -> Material {
+fn material(row: &Row) -> PlaneMaterial {
     let terms: Vec<(f64, f64)> = row
         .text("terms")
         .split_whitespace()
@@ -48,7 +49,7 @@ fn material(row: &Row) -> Material {
         .into_iter()
         .map(|(compliance, ratio)| CreepTerm { compliance: compliance / RELAXED, retardation_time: ratio / RATE })
         .collect();
-    Material::from_creep(RELAXED / glassy, &terms, None).unwrap()
+    PlaneMaterial::from_creep(RELAXED / glassy, &terms, None).unwrap()
 }
 
 fn cases() -> BTreeMap<String, Case> {
@@ -118,9 +119,9 @@ fn fault(case: &Case, load: f64, rows: &[Row]) -> Option<String> {
         return None;
     }
     // Without a stable contact: which limit is passed.
-    let wrong = |told: f64, right: &[(f64, f64)]| {
-        let is = |&(limit, digit): &(f64, f64)| (told - limit).abs() <= LIMIT.max(3.0 * digit) * limit.abs().max(0.1);
-        (!right.iter().any(is)).then(|| format!("limit {told:.9e}, right {right:?}"))
+    let wrong = |reported: f64, right: &[(f64, f64)]| {
+        let is = |&(limit, digit): &(f64, f64)| (reported - limit).abs() <= LIMIT.max(3.0 * digit) * limit.abs().max(0.1);
+        (!right.iter().any(is)).then(|| format!("limit {reported:.9e}, right {right:?}"))
     };
     let limits = |kind: &str| -> Vec<(f64, f64)> {
         case.limits.iter().filter(|(name, ..)| name.starts_with(kind)).map(|(_, value, digit)| (*value, *digit)).collect()

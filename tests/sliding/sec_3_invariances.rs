@@ -23,14 +23,14 @@ use crate::support;
 use physics::{Random, in_mpa_ms, random_solid};
 use std::f64::consts::PI;
 use support::sliding::contact_at_rate;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Prescribed, WaveContact};
 use viscotack::sliding::steady::WaveAdhesion;
 use viscotack::sliding::{HalfPlaneGreen, SlidingMemory};
 
 /// Totals, amplitudes, pressures and gaps of a contact, with the scale of each.
-fn numbers(material: &Material, rate: f64, contact: WaveContact, mean_pressure: f64) -> Vec<(f64, f64)> {
+fn numbers(material: &PlaneMaterial, rate: f64, contact: WaveContact, mean_pressure: f64) -> Vec<(f64, f64)> {
     let state = ContactState::new(&ContactMemory::new(material, rate).unwrap(), contact, Prescribed::MeanPressure(mean_pressure)).unwrap();
     let (trailing, leading) = state.edge_amplitudes();
     let edge = trailing.abs().max(leading.abs()).max(1.0);
@@ -68,7 +68,7 @@ fn two_unit_systems_give_one_reduced_contact() {
         worst = worst.max(error);
     }
     println!("units, given edges: {worst:.1e}");
-    let material = Material::from_creep(
+    let material = PlaneMaterial::from_creep(
         3.3e7,
         &[CreepTerm { compliance: 5e-7, retardation_time: 2.0 }, CreepTerm { compliance: 1e-6, retardation_time: 0.03 }],
         None,
@@ -76,7 +76,7 @@ fn two_unit_systems_give_one_reduced_contact() {
     .unwrap();
     let adhesion = WaveAdhesion { trailing_zone: 1e-3, ..WaveAdhesion::even(0.002, 2e-3) };
     let prescribed = Prescribed::MeanPressure(0.05);
-    let edges = |material: &Material, rate: f64| {
+    let edges = |material: &PlaneMaterial, rate: f64| {
         let adhesive = contact_at_rate(material, rate, Some(adhesion), prescribed, 1e-12).unwrap();
         let plain = contact_at_rate(material, rate, None, prescribed, 1e-12).unwrap();
         let (adhesive_edges, plain_edges) = (adhesive.state.contact(), plain.state.contact());
@@ -96,9 +96,9 @@ fn two_unit_systems_give_one_reduced_contact() {
     }
 }
 
-fn solid(terms: &[(f64, f64)]) -> Material {
+fn solid(terms: &[(f64, f64)]) -> PlaneMaterial {
     let terms: Vec<CreepTerm> = terms.iter().map(|&(compliance, retardation_time)| CreepTerm { compliance, retardation_time }).collect();
-    Material::from_creep(6.6e7, &terms, None).unwrap()
+    PlaneMaterial::from_creep(6.6e7, &terms, None).unwrap()
 }
 
 /// Tolerance: equal halves are one term, to the last bit (the material merges them). Halves at τ(1 ± h) make a contact that differs by h² times a

@@ -1,10 +1,10 @@
 //! Source: this crate's claim that a contact which cannot exist is refused with a witness; `sliding::steady`, thesis Secs 3.2 and 3.3 for the conditions.
 //!
-//! Goal: half-widths, loads and process zones at which both edge conditions hold only with a pressed edge or with faces that meet outside the contact are no such state, and
-//! the limit that is named is one: contacts on its near side, none on its far side. What turns unlocated must say so.
+//! Goal: half-widths, loads and process zones at which both edge conditions hold only with a pressed edge or with faces that meet outside the contact are no such
+//! state, and the limit that is named is one: contacts on its near side, none on its far side. What turns unlocated must say so.
 //!
-//! Parameters: the four scenes of the calibration study that were refused as not converged (cylinders, numbers as drawn, rounded); an elastic wave and cylinder with zones as long as the
-//! contact or works ten thousand times apart; the elastic reference contact of Γ = 0.002, ζ = 10, δ = 1e-3.
+//! Parameters: the four scenes of the calibration study that were refused as not converged (cylinders, numbers as drawn, rounded); an elastic wave and cylinder with
+//! zones as long as the contact or works ten thousand times apart; the elastic reference contact of Γ = 0.002, ζ = 10, δ = 1e-3.
 //!
 //! Oracle: every contact of a half-width by its quadratic forms, which needs no path (`contacts_of_width`); the gap on a fine grid; contacts beside the limit.
 //!
@@ -12,7 +12,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::sync::Arc;
-use viscotack::material::{CreepTerm, Material, RelaxationTerm};
+use viscotack::material::{CreepTerm, PlaneMaterial, RelaxationTerm};
 use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::{BranchProblem, contacts_of_width};
 use viscotack::sliding::contact::{ContactMemory, ContactState, Prescribed, Resolution, WaveContact};
@@ -21,8 +21,8 @@ use viscotack::sliding::steady::{Indenter, PartialContact, SlidingControl, Slidi
 
 const BESIDE: f64 = 2e-3;
 
-fn one_term(relaxed: f64, modulus: f64, relaxation_time: f64) -> Material {
-    Material::from_relaxation(relaxed, &[RelaxationTerm { modulus, relaxation_time }]).unwrap()
+fn one_term(relaxed: f64, modulus: f64, relaxation_time: f64) -> PlaneMaterial {
+    PlaneMaterial::from_relaxation(relaxed, &[RelaxationTerm { modulus, relaxation_time }]).unwrap()
 }
 
 fn cylinder(rate: f64, work: f64, zones: [f64; 2], control: SlidingControl) -> SlidingProblem<'static> {
@@ -30,14 +30,14 @@ fn cylinder(rate: f64, work: f64, zones: [f64; 2], control: SlidingControl) -> S
     SlidingProblem { rate, indenter: Indenter::Parabola, adhesion: Some(adhesion), work_by_speed: None, control, accuracy: 1e-6 }
 }
 
-fn contact(material: &Material, problem: &SlidingProblem<'_>) -> PartialContact {
+fn contact(material: &PlaneMaterial, problem: &SlidingProblem<'_>) -> PartialContact {
     match steady_sliding(material, problem).unwrap() {
         SlidingOutcome::Partial(contact) => *contact,
         SlidingOutcome::Full(full) => panic!("full contact: {}", full.limit_name),
     }
 }
 
-fn refused(material: &Material, problem: &SlidingProblem<'_>) -> (String, &'static str, f64) {
+fn refused(material: &PlaneMaterial, problem: &SlidingProblem<'_>) -> (String, &'static str, f64) {
     match steady_sliding(material, problem) {
         Err(Refusal::NoSuchState { reason, limit_name, limit }) => (reason, limit_name, limit),
         Err(other) => panic!("{other}"),
@@ -46,14 +46,14 @@ fn refused(material: &Material, problem: &SlidingProblem<'_>) -> (String, &'stat
 }
 
 /// Contacts of a half-width, whatever the load.
-fn known(material: &Material, problem: &SlidingProblem<'_>, half_width: f64) -> usize {
+fn known(material: &PlaneMaterial, problem: &SlidingProblem<'_>, half_width: f64) -> usize {
     let loads = BranchProblem::loads(problem.rate, problem.adhesion.unwrap(), 1e-6);
     let loads = BranchProblem { indenter: problem.indenter, half_widths: [1e-3, 3.0], ..loads };
     contacts_of_width(material, &loads, half_width).unwrap().len()
 }
 
 /// The least gap ahead of the leading edge within five half-widths, on a fine grid.
-fn least_gap(material: &Material, problem: &SlidingProblem<'_>, contact: &PartialContact) -> f64 {
+fn least_gap(material: &PlaneMaterial, problem: &SlidingProblem<'_>, contact: &PartialContact) -> f64 {
     let memory = Arc::new(ContactMemory::new(material, problem.rate).unwrap());
     let values = &contact.values;
     let edges = WaveContact { half_width: values.half_width.value, eccentricity: values.eccentricity.value };
@@ -72,7 +72,7 @@ fn narrow_contacts_behind_a_steep_cylinder_touch_ahead() {
     ];
     let cases = [
         (
-            Material::from_creep(70_138_233.268_308_36, &two, None).unwrap(),
+            PlaneMaterial::from_creep(70_138_233.268_308_36, &two, None).unwrap(),
             cylinder(3661.8948, 0.021_171_729, [2.212_593_77e-4, 0.024_895_006], SlidingControl::HalfWidth(0.658_410_51)),
         ),
         (
@@ -117,7 +117,7 @@ fn a_load_below_the_smallest_of_all_contacts_is_none() {
 
 #[test]
 fn zones_too_long_for_their_work_are_refused_with_the_longest() {
-    let material = Material::elastic(1e6).unwrap();
+    let material = PlaneMaterial::elastic(1e6).unwrap();
     let uneven =
         |trailing_work: f64, leading_work: f64, zone: f64| WaveAdhesion { trailing_work, leading_work, ..WaveAdhesion::even(1.0, zone) };
     let problem = |indenter: Indenter, adhesion: WaveAdhesion, control: SlidingControl| SlidingProblem {
@@ -163,7 +163,7 @@ fn zones_too_long_for_their_work_are_refused_with_the_longest() {
 
 #[test]
 fn a_pull_off_at_the_rounding_of_its_equations_is_found() {
-    let material = Material::from_creep(10.0, &[CreepTerm { compliance: 0.9, retardation_time: 1.0 }], None).unwrap();
+    let material = PlaneMaterial::from_creep(10.0, &[CreepTerm { compliance: 0.9, retardation_time: 1.0 }], None).unwrap();
     let problem = BranchProblem::loads(10.0, WaveAdhesion::even(0.002, 1e-3), 1e-4);
     let reference = elastic_reference_strength(&material, &problem).unwrap();
     let (work, elastic) = (0.002 / reference.modulus.value, reference.found);

@@ -13,26 +13,26 @@
 
 use std::f64::consts::PI;
 use std::sync::Arc;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Indenter, Prescribed, Resolution, WaveContact};
 use viscotack::sliding::steady::{SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 
-fn material(beta: f64, times: &[f64]) -> Material {
+fn material(beta: f64, times: &[f64]) -> PlaneMaterial {
     let relaxed = 2.3e6;
     let terms: Vec<CreepTerm> = times
         .iter()
         .map(|&retardation_time| CreepTerm { compliance: (1.0 - 1.0 / beta) / relaxed / times.len() as f64, retardation_time })
         .collect();
-    Material::from_creep(relaxed * beta, &terms, None).unwrap()
+    PlaneMaterial::from_creep(relaxed * beta, &terms, None).unwrap()
 }
 
-fn state(material: &Material, rate: f64, indenter: Indenter, contact: WaveContact, pressure: f64) -> ContactState {
+fn state(material: &PlaneMaterial, rate: f64, indenter: Indenter, contact: WaveContact, pressure: f64) -> ContactState {
     let memory = Arc::new(ContactMemory::new(material, rate).unwrap());
     ContactState::at_resolution(&memory, indenter, contact, Prescribed::MeanPressure(pressure), Resolution::Finest).unwrap()
 }
 
-fn cases() -> Vec<(Material, f64, WaveContact, f64)> {
+fn cases() -> Vec<(PlaneMaterial, f64, WaveContact, f64)> {
     vec![
         (material(10.0, &[1.0]), 0.05, WaveContact { half_width: 1.0, eccentricity: 0.1 }, 0.2),
         (material(10.0, &[1.0]), 3.0, WaveContact { half_width: 1.0, eccentricity: 0.2 }, -0.05),
@@ -110,7 +110,7 @@ fn moments_and_energy_are_those_of_the_pressure() {
     }
 }
 
-fn partial(material: &Material, problem: &SlidingProblem) -> viscotack::sliding::steady::PartialContact {
+fn partial(material: &PlaneMaterial, problem: &SlidingProblem) -> viscotack::sliding::steady::PartialContact {
     match steady_sliding(material, problem).unwrap() {
         SlidingOutcome::Partial(contact) => *contact,
         SlidingOutcome::Full(_) => panic!("a parabola has no full contact"),
@@ -120,7 +120,7 @@ fn partial(material: &Material, problem: &SlidingProblem) -> viscotack::sliding:
 #[test]
 fn an_elastic_cylinder_is_hertzs_and_barquinss() {
     // p̄ = F/2πL over E0*L/2R: a² = 4FR/(πE*) reads a = 2√p̄. With adhesion p̄ = a²/4 − √(2Γa), approached at first order in δ.
-    let elastic = Material::elastic(1.7e6).unwrap();
+    let elastic = PlaneMaterial::elastic(1.7e6).unwrap();
     let problem = |pressure: f64, adhesion| SlidingProblem {
         rate: 0.3,
         indenter: Indenter::Parabola,

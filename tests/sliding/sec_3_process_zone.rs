@@ -1,13 +1,13 @@
-//! Source: thesis Eqs 3.26–3.30 (the work at an edge); the march over the process zone is ours.
+//! Source: thesis Eqs 3.26–3.30 (the work at an edge); the integration over the process zone is ours.
 //!
-//! Goal: the work at both edges of a contact, marched over the process zone, equals the integral of the two fields taken point by point; each level
+//! Goal: the work at both edges of a contact, integrated over the process zone, equals the integral of the two fields taken point by point; each level
 //! of resolution is better than the one before, and the error that a level has is bounded by its distance from the next.
 //!
 //! Parameters: 240 contacts drawn from 1 to 12 terms, β from 2 to 1000, sliding ratios from 1e-6 to 1e4, half-widths from 0.02 to 3.1,
 //! process zones from 1e-4 to 0.05 of the smaller arc; wave and parabola.
 //!
 //! Oracle: `ContactState::pressure` and `gap` (each an integral along the arc of its own, checked against the Fourier symbol elsewhere), put
-//! through a trapezoidal rule in the logarithm of the distance to both ends, which shares no node with the march.
+//! through a trapezoidal rule in the logarithm of the distance to both ends, which shares no node with the integration.
 //!
 //! Tolerance: 1e-11 of the work's scale ∫|tension·gap|, the accuracy of the oracle's step.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
@@ -17,7 +17,7 @@ use crate::support;
 use std::f64::consts::PI;
 use std::sync::Arc;
 use support::random::Uniform;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, ProcessZone, Resolution, WaveContact};
 
@@ -37,7 +37,7 @@ fn draw(random: &mut Uniform) -> Case {
     let terms: Vec<CreepTerm> = (0..count)
         .map(|_| CreepTerm { compliance: (1.0 - 1.0 / beta) / relaxed / f64::from(count), retardation_time: random.log_between(1e-6, 1e4) })
         .collect();
-    let material = Material::from_creep(relaxed * beta, &terms, None).unwrap();
+    let material = PlaneMaterial::from_creep(relaxed * beta, &terms, None).unwrap();
     let indenter = if random.between(0.0, 1.0) < 0.7 { Indenter::Wave } else { Indenter::Parabola };
     let half_width = if indenter == Indenter::Wave { random.between(0.02, 3.1) } else { random.log_between(0.01, 10.0) };
     let arc = if indenter == Indenter::Wave { half_width.min(PI - half_width) } else { half_width };
@@ -82,7 +82,7 @@ fn by_points(state: &ContactState, moved: &ContactState, edge: Edge, zone: f64) 
 }
 
 #[test]
-fn work_marched_over_the_zone_is_that_of_the_fields_point_by_point() {
+fn work_integrated_over_the_zone_is_that_of_the_fields_point_by_point() {
     let mut random = Uniform::new();
     let mut worst = 0.0_f64;
     let mut level_errors: [Vec<f64>; 3] = [Vec::new(), Vec::new(), Vec::new()];

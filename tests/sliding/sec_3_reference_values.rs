@@ -19,7 +19,7 @@ use crate::support;
 use std::f64::consts::PI;
 use support::sliding::{contact_at_rate, contact_near};
 use support::{Row, reference_rows};
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Prescribed, WaveContact};
 use viscotack::sliding::steady::WaveAdhesion;
@@ -29,7 +29,7 @@ const RELAXED: f64 = 2.3e6;
 const RATE: f64 = 7.0;
 
 /// The solid of a row, at the rate `RATE`.
-fn material(row: &Row) -> Material {
+fn material(row: &Row) -> PlaneMaterial {
     let terms: Vec<(f64, f64)> = row
         .text("terms")
         .split_whitespace()
@@ -43,11 +43,11 @@ fn material(row: &Row) -> Material {
         .into_iter()
         .map(|(compliance, ratio)| CreepTerm { compliance: compliance / RELAXED, retardation_time: ratio / RATE })
         .collect();
-    Material::from_creep(RELAXED / glassy, &terms, None).unwrap()
+    PlaneMaterial::from_creep(RELAXED / glassy, &terms, None).unwrap()
 }
 
 /// The error over the scale, after checking it against what the reference confirms.
-fn judge(row: &Row, value: f64) -> f64 {
+fn assess(row: &Row, value: f64) -> f64 {
     let error = (value - row.number("value")).abs() / row.number("scale");
     let digits = row.number("confirmed_digits");
     assert!(digits >= 11.0, "the reference itself is not converged");
@@ -82,7 +82,7 @@ fn contacts_with_given_edges() {
             "gap" => state.gap(state.behind_trailing(row.number("position") * 2.0 * (PI - contact.half_width)).unwrap()),
             other => panic!("quantity {other}"),
         };
-        let error = judge(row, value);
+        let error = assess(row, value);
         worst = worst.max(error);
         count += 1;
         // The other control, from the penetration of the reference, returns the mean pressure.
@@ -116,7 +116,7 @@ fn contacts_without_adhesion() {
                 "friction_stress" => found.state.friction_stress(),
                 name => panic!("quantity {name}"),
             };
-            worst = worst.max(judge(other, value));
+            worst = worst.max(assess(other, value));
             count += 1;
         }
     }
@@ -173,7 +173,7 @@ fn contacts_with_adhesion() {
 fn friction_of_full_contact() {
     let mut count = 0;
     for row in reference_rows("sliding_wave.csv").iter().filter(|row| row.text("asked") == "full") {
-        judge(row, full_contact_friction(&material(row), RATE).unwrap().value);
+        assess(row, full_contact_friction(&material(row), RATE).unwrap().value);
         count += 1;
     }
     assert_eq!(count, 8);

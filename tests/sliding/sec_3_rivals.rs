@@ -18,7 +18,7 @@ use crate::support;
 
 use std::f64::consts::PI;
 use support::sliding::contact_near;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ArcPoint, ContactMemory, ContactState, Edge, Prescribed, WaveContact, edge_work};
 use viscotack::sliding::steady::WaveAdhesion;
@@ -62,10 +62,10 @@ const STATES: [State; 10] = [
 ];
 
 /// Equal creep terms with ζ_j = τ_j at the rate one.
-fn material(state: &State) -> Material {
+fn material(state: &State) -> PlaneMaterial {
     let compliance = (1.0 - 1.0 / state.beta) / state.relaxed / state.ratios.len() as f64;
     let terms: Vec<CreepTerm> = state.ratios.iter().map(|&retardation_time| CreepTerm { compliance, retardation_time }).collect();
-    Material::from_creep(state.relaxed * state.beta, &terms, None).unwrap()
+    PlaneMaterial::from_creep(state.relaxed * state.beta, &terms, None).unwrap()
 }
 
 fn adhesion(state: &State) -> WaveAdhesion {

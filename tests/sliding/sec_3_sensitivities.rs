@@ -1,13 +1,14 @@
 //! Source: issue "Sliding branches", part 5: users know the process zone to a factor of three at best; thesis Secs 3.4, 3.7 and 3.8.
 //!
-//! Goal: every sensitivity of a contact and of what it bears is the derivative of the solution itself, by an independent way each.
+//! Goal: every sensitivity of a contact and of what it carries is the derivative of the solution itself, by an independent way each.
 //!
 //! Parameters: one and three retardation times with moduli that are no units; all three controls; even and uneven works; a wave and a cylinder; an elastic solid.
 //!
 //! Oracle: central differences of whole solutions with Richardson's extrapolation, made in other numbers than those differentiated (all times by the rate, E0 by
 //! the material's modulus at a load in pascals, β by a material built anew); the scaling relations of dimensional analysis; Johnson's pull-off in closed form.
 //!
-//! Tolerance: the bar plus 1e-9 (strengths: 3e-9) of the extrapolated differences, which are made of solutions good to 1e-11 with steps of 1 to 4 %; relations of one set to its bars.
+//! Tolerance: the bound plus 1e-9 (strengths: 3e-9) of the extrapolated differences, which are made of solutions good to 1e-11 with steps of 1 to 4 %; relations of one
+//! set to its bounds.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 use viscotack::material::CreepTerm;
@@ -16,17 +17,17 @@ use viscotack::sliding::sensitivity::{Parameter, Sensitivity, state_sensitivitie
 use viscotack::sliding::steady::{
     Indenter, PartialContact, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding, steady_sliding_near,
 };
-use viscotack::{Estimate, Material};
+use viscotack::{Estimate, PlaneMaterial};
 
 const RELAXED: f64 = 0.7e6;
 
 /// A solid of given β with compliances in a fixed ratio; times in units of `time`.
-fn solid(relaxed: f64, beta: f64, time: f64, shares: &[(f64, f64)]) -> Material {
+fn solid(relaxed: f64, beta: f64, time: f64, shares: &[(f64, f64)]) -> PlaneMaterial {
     let gained = (1.0 - 1.0 / beta) / relaxed;
     let sum: f64 = shares.iter().map(|share| share.0).sum();
     let terms: Vec<CreepTerm> =
         shares.iter().map(|&(share, at)| CreepTerm { compliance: gained * share / sum, retardation_time: at * time }).collect();
-    Material::from_creep(relaxed * beta, &terms, None).unwrap()
+    PlaneMaterial::from_creep(relaxed * beta, &terms, None).unwrap()
 }
 
 const ONE: [(f64, f64); 1] = [(1.0, 1.0)];
@@ -73,7 +74,7 @@ struct Case {
 }
 
 impl Case {
-    fn material(&self, inputs: Inputs) -> Material {
+    fn material(&self, inputs: Inputs) -> PlaneMaterial {
         // The modulus is E0 in another unit; what the contact sees of it is in the works and the load.
         solid(RELAXED * inputs.relaxed, self.beta * inputs.beta, inputs.time, self.shares)
     }
@@ -157,7 +158,7 @@ fn sensitivities_of_contacts_are_derivatives_of_solutions() {
     }
 }
 
-fn strength_of(material: &Material, problem: &BranchProblem<'_>) -> [f64; 4] {
+fn strength_of(material: &PlaneMaterial, problem: &BranchProblem<'_>) -> [f64; 4] {
     let Strength { pull_off, snap_in, separation, toughness, .. } = strength(material, problem).unwrap();
     [pull_off.unwrap().value.value, snap_in.unwrap().value.value, separation.unwrap().value.value, toughness.unwrap().value.value]
 }

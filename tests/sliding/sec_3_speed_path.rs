@@ -5,7 +5,7 @@
 //! Parameters: β = 20 with one term; a twelve-term rubber over twelve decades with a modulus that is no unit; p̄ and Γ as stated.
 //!
 //! Oracle: `JohnsonWave` and `WestergaardWave` with the relaxed and the glassy modulus (closed forms, with their own tests); the adhesiveless
-//! twin for Γ → 0; full contact by the complex modulus.
+//! contact without adhesion for Γ → 0; full contact by the complex modulus.
 //!
 //! Tolerance: the fast limit at a finite process zone δ differs from δ → 0 by O(δ/a): 3δ; Γ → 0 differs by O(√Γ).
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
@@ -14,7 +14,7 @@ use crate::support;
 
 use std::f64::consts::PI;
 use support::sliding::contact_at_rate;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::elastic::johnson_wave::WaveBranch;
 use viscotack::elastic::{JohnsonWave, WestergaardWave};
 use viscotack::material::{CreepTerm, RelaxationTerm};
@@ -35,7 +35,7 @@ fn johnson(modulus: f64, reduced_work: f64, mean_pressure: f64) -> f64 {
 #[test]
 fn one_term_over_ten_decades_of_speed() {
     let (beta, work, zone, pressure) = (20.0, 0.002, 1e-3, 0.1);
-    let material = Material::standard_solid(0.7e6, 0.7e6 * beta, 0.2).unwrap();
+    let material = PlaneMaterial::standard_solid(0.7e6, 0.7e6 * beta, 0.2).unwrap();
     for exponent in -6..=4 {
         let ratio = 10f64.powi(exponent);
         let found = contact_at_rate(&material, ratio / 0.2, Some(adhesion(work, zone)), Prescribed::MeanPressure(pressure), 1e-11).unwrap();
@@ -70,24 +70,24 @@ fn one_term_over_ten_decades_of_speed() {
 }
 
 #[test]
-fn adhesiveless_twin_is_reached_as_adhesion_vanishes_and_its_limits_are_westergaards() {
+fn the_adhesiveless_contact_is_reached_as_adhesion_vanishes_and_its_limits_are_westergaards() {
     let (beta, pressure) = (20.0, 0.1);
-    let material = Material::standard_solid(3.1e6, 3.1e6 * beta, 0.5).unwrap();
+    let material = PlaneMaterial::standard_solid(3.1e6, 3.1e6 * beta, 0.5).unwrap();
     let westergaard = |modulus: f64| {
         WestergaardWave::new(modulus, 2.0 * PI, 1.0).unwrap().state_by_mean_pressure(0.5 * pressure).unwrap().contact_half_width
     };
     for ratio in [1e-3, 0.1, 1.0, 30.0] {
-        let twin = contact_at_rate(&material, ratio / 0.5, None, Prescribed::MeanPressure(pressure), 1e-13).unwrap().state;
+        let adhesiveless = contact_at_rate(&material, ratio / 0.5, None, Prescribed::MeanPressure(pressure), 1e-13).unwrap().state;
         let distance = |work: f64| {
             let found =
                 contact_at_rate(&material, ratio / 0.5, Some(adhesion(work, 1e-4)), Prescribed::MeanPressure(pressure), 1e-10).unwrap();
-            (found.state.contact().half_width - twin.contact().half_width).abs()
+            (found.state.contact().half_width - adhesiveless.contact().half_width).abs()
         };
         let (coarse, fine) = (distance(1e-6), distance(1e-8));
-        println!("ζ = {ratio}: a {:.6}, adhesive minus adhesiveless {coarse:.2e}, {fine:.2e}", twin.contact().half_width);
+        println!("ζ = {ratio}: a {:.6}, adhesive minus adhesiveless {coarse:.2e}, {fine:.2e}", adhesiveless.contact().half_width);
         // √Γ falls tenfold; the process zone of 1e-4 stays.
         assert!(fine < 0.2 * coarse + 2e-4, "{coarse:e} {fine:e}");
-        assert!(twin.friction_stress() > 0.0);
+        assert!(adhesiveless.friction_stress() > 0.0);
     }
     let half_width = |ratio: f64| {
         contact_at_rate(&material, ratio / 0.5, None, Prescribed::MeanPressure(pressure), 1e-13).unwrap().state.contact().half_width
@@ -102,7 +102,7 @@ fn adhesiveless_twin_is_reached_as_adhesion_vanishes_and_its_limits_are_westerga
 fn full_contact_friction_is_the_fourier_integral_of_the_relaxation_function() {
     let terms: Vec<CreepTerm> =
         [(2e-7, 0.9), (5e-7, 0.2), (3e-7, 0.05)].map(|(compliance, retardation_time)| CreepTerm { compliance, retardation_time }).to_vec();
-    let material = Material::from_creep(2.2e7, &terms, None).unwrap();
+    let material = PlaneMaterial::from_creep(2.2e7, &terms, None).unwrap();
     let relaxed = material.relaxed_modulus();
     for rate in [0.3, 4.0, 50.0] {
         let points = 4_000_000;
@@ -128,7 +128,7 @@ fn full_contact_friction_is_the_fourier_integral_of_the_relaxation_function() {
 fn full_contact_friction_is_half_the_loss_modulus() {
     // One term: ½ζ(1 − 1/β)/(1 + ε²), ε = ζ/β.
     let (beta, time) = (7.0, 0.3);
-    let material = Material::standard_solid(2.2e6, 2.2e6 * beta, time).unwrap();
+    let material = PlaneMaterial::standard_solid(2.2e6, 2.2e6 * beta, time).unwrap();
     for ratio in [1e-3, 0.4, 3.0, 50.0] {
         let epsilon: f64 = ratio / beta;
         let expected = 0.5 * ratio * (1.0 - 1.0 / beta) / (1.0 + epsilon * epsilon);
@@ -141,7 +141,7 @@ fn twelve_terms_over_twelve_decades() {
     // E0 = 1.1 MPa; the glassy modulus is 40 times that, so that partial contact exists at every speed.
     let terms: Vec<RelaxationTerm> =
         (0..12).map(|k| RelaxationTerm { modulus: 1.1e6 * 39.0 / 12.0, relaxation_time: 10f64.powi(2 - k) }).collect();
-    let material = Material::from_relaxation(1.1e6, &terms).unwrap();
+    let material = PlaneMaterial::from_relaxation(1.1e6, &terms).unwrap();
     for exponent in [-3, 2] {
         let rate = 10f64.powi(exponent);
         let found = contact_at_rate(&material, rate, Some(adhesion(0.002, 1e-3)), Prescribed::MeanPressure(0.1), 1e-10).unwrap();

@@ -1,6 +1,7 @@
 //! Source: thesis Secs 3.2 and 3.3 (both closures are quadratic in the amplitude of their edge).
 //!
-//! Goal: each contact has four roots, sometimes two more a few process zones wide, that satisfy both closures to rounding; all but one cannot exist (a pressed edge, interpenetrating faces).
+//! Goal: each contact has four roots, sometimes two more a few process zones wide, that satisfy both closures to rounding; all but one cannot exist (a pressed edge,
+//! interpenetrating faces).
 //! All four are listed by brute force. From 1,000 random starts at fixed penetration, with bulk losses, the solver returns the one that can
 //! exist or refuses.
 //!
@@ -29,14 +30,14 @@ use viscotack::continuation::two_unknowns::TwoResiduals;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, Resolution, WaveContact, edge_work};
 use viscotack::sliding::edge_balance::EdgeBalance;
 use viscotack::sliding::steady::{SlidingControl, WaveAdhesion};
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 
 const STARTS: u32 = 1000;
 
 #[test]
 fn random_starts_never_return_an_unphysical_root() {
     let (time, ratio) = (0.2, 0.3);
-    let material = Material::standard_solid(0.7e6, 0.7e6 * 20.0, time).unwrap();
+    let material = PlaneMaterial::standard_solid(0.7e6, 0.7e6 * 20.0, time).unwrap();
     let adhesion = WaveAdhesion::even(0.002, 1e-3);
     let on_path = contact_at_rate(&material, ratio / time, Some(adhesion), Prescribed::MeanPressure(0.1), 1e-12).unwrap();
     let prescribed = Prescribed::Penetration(on_path.state.penetration());
@@ -180,7 +181,7 @@ fn smallest_gap(state: &ContactState) -> f64 {
 fn of_all_roots_of_the_two_closures_one_can_exist() {
     for (beta, ratio, work, pressure) in [(20.0, 0.3, 0.002, 0.1), (10.0, 3.0, 0.003, 0.2)] {
         let time = 0.2;
-        let material = Material::standard_solid(0.7e6, 0.7e6 * beta, time).unwrap();
+        let material = PlaneMaterial::standard_solid(0.7e6, 0.7e6 * beta, time).unwrap();
         let adhesion = WaveAdhesion::even(work, 1e-3);
         let on_path = contact_at_rate(&material, ratio / time, Some(adhesion), Prescribed::MeanPressure(pressure), 1e-12).unwrap();
         let prescribed = Prescribed::Penetration(on_path.state.penetration());
@@ -229,7 +230,7 @@ fn of_all_roots_of_the_two_closures_one_can_exist() {
 #[test]
 fn edges_are_pulled_where_the_pressure_beside_them_says_so() {
     let (time, ratio) = (0.2, 0.3);
-    let material = Material::standard_solid(0.7e6, 0.7e6 * 20.0, time).unwrap();
+    let material = PlaneMaterial::standard_solid(0.7e6, 0.7e6 * 20.0, time).unwrap();
     let adhesion = WaveAdhesion::even(0.002, 1e-3);
     let on_path = contact_at_rate(&material, ratio / time, Some(adhesion), Prescribed::MeanPressure(0.1), 1e-10).unwrap();
     let penetration = on_path.state.penetration();

@@ -8,7 +8,8 @@
 //! layer is a row of springs, whose displacement is that of ζdw/dx chains (closed form); a free one is a plate, Σ cos mx/m⁴ (a polynomial); an
 //! incompressible confined one nowhere, but for the load itself, where all are half-planes.
 //!
-//! Tolerance: the error bars, and these below 1e-12 of the kernel's size; limits at their own order in kd; 1e-11 for sums that end, whose rounding is 1/kd times that of a double.
+//! Tolerance: the error bounds, and these below 1e-12 of the kernel's size; limits at their own order in kd; 1e-11 for sums that end, whose rounding is 1/kd times that
+//! of a double.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;

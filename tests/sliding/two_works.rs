@@ -11,7 +11,7 @@
 //! Oracle: collocation of the integral equation at given edges; the elastic closed forms, reached as δ → 0; the energy identity of hysteresis; the same contact
 //! with the works at its speed written as constants.
 //!
-//! Tolerance: 3e-11 against the collocation (which confirms 11 digits); what is left of three process zones by extrapolation; bars elsewhere.
+//! Tolerance: 3e-11 against the collocation (which confirms 11 digits); what is left of three process zones by extrapolation; bounds elsewhere.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
 use crate::support;
@@ -19,7 +19,7 @@ use crate::support;
 use std::f64::consts::PI;
 use support::reference_rows;
 use support::sliding::contact_near;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::closure::work_by_speed::{WorkAtSpeed, WorkBySpeed};
 use viscotack::material::CreepTerm;
 use viscotack::sliding::branch::{BranchProblem, BranchStart, FoldQuantity, strength, trace};
@@ -32,11 +32,11 @@ use viscotack::sliding::steady::{
 const RELAXED: f64 = 2.3e6;
 const RATE: f64 = 7.0;
 
-fn of_terms(terms: &[(f64, f64)]) -> Material {
+fn of_terms(terms: &[(f64, f64)]) -> PlaneMaterial {
     let glassy = 1.0 - terms.iter().map(|term| term.0).sum::<f64>();
     let terms: Vec<CreepTerm> =
         terms.iter().map(|&(compliance, ratio)| CreepTerm { compliance: compliance / RELAXED, retardation_time: ratio / RATE }).collect();
-    Material::from_creep(RELAXED / glassy, &terms, None).unwrap()
+    PlaneMaterial::from_creep(RELAXED / glassy, &terms, None).unwrap()
 }
 
 fn uneven(trailing_work: f64, leading_work: f64, zone: f64) -> WaveAdhesion {
@@ -47,7 +47,7 @@ fn problem(adhesion: WaveAdhesion, rate: f64, control: SlidingControl) -> Slidin
     SlidingProblem { rate, indenter: Indenter::Wave, adhesion: Some(adhesion), work_by_speed: None, control, accuracy: 1e-11 }
 }
 
-fn partial(material: &Material, problem: &SlidingProblem<'_>) -> PartialContact {
+fn partial(material: &PlaneMaterial, problem: &SlidingProblem<'_>) -> PartialContact {
     match steady_sliding(material, problem).unwrap_or_else(|refusal| panic!("{refusal}: {problem:?}")) {
         SlidingOutcome::Partial(contact) => *contact,
         SlidingOutcome::Full(_) => panic!("full contact: {problem:?}"),
@@ -123,7 +123,7 @@ fn at_vanishing_zone(of_zone: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
 #[test]
 fn an_elastic_wave_with_hysteresis_is_the_closed_form() {
     // The glassy contact as well: m = β far above all times.
-    let (elastic, stiff) = (Material::elastic(3.7e5).unwrap(), Material::standard_solid(RELAXED, 6.0 * RELAXED, 1.0).unwrap());
+    let (elastic, stiff) = (PlaneMaterial::elastic(3.7e5).unwrap(), PlaneMaterial::standard_solid(RELAXED, 6.0 * RELAXED, 1.0).unwrap());
     for (name, material, modulus, rate) in [("elastic", &elastic, 1.0, 0.4), ("glassy", &stiff, 6.0, 1e9)] {
         for (trailing, leading, pressure) in [(0.006, 0.0015, 0.1), (0.002, 0.004, 0.2), (0.004, 0.004, 0.15), (0.008, 2e-5, 0.12)] {
             let found = at_vanishing_zone(|zone| {
@@ -152,7 +152,7 @@ fn an_elastic_wave_with_hysteresis_is_the_closed_form() {
 
 #[test]
 fn hysteresis_is_all_the_friction_of_an_elastic_contact() {
-    let elastic = Material::elastic(3.7e5).unwrap();
+    let elastic = PlaneMaterial::elastic(3.7e5).unwrap();
     for control in [SlidingControl::MeanPressure(0.1), SlidingControl::Penetration(0.35), SlidingControl::HalfWidth(0.9)] {
         for zone in [1e-3, 1e-2] {
             let found = partial(&elastic, &problem(uneven(0.006, 0.0015, zone), 3.0, control));
@@ -178,7 +178,7 @@ fn hysteresis_is_all_the_friction_of_an_elastic_contact() {
 #[test]
 fn a_vanishing_leading_work_leaves_the_smooth_leading_edge() {
     // Closing gives nothing back: the leading amplitude vanishes as the root of its work.
-    let elastic = Material::elastic(1.0).unwrap();
+    let elastic = PlaneMaterial::elastic(1.0).unwrap();
     let amplitude = |leading: f64| {
         let found = partial(&elastic, &problem(uneven(0.004, leading, 1e-5), 1.0, SlidingControl::HalfWidth(0.9)));
         found.state.edge_amplitudes()
@@ -193,7 +193,7 @@ fn a_vanishing_leading_work_leaves_the_smooth_leading_edge() {
 #[test]
 fn a_cylinder_of_two_works_is_the_narrow_wave() {
     // Load of equal works with the same mean root, and e = (√Γ₂ − √Γ₁)/√(ma/2), at vanishing process zone.
-    let elastic = Material::elastic(1.0).unwrap();
+    let elastic = PlaneMaterial::elastic(1.0).unwrap();
     let (trailing, leading, half_width) = (0.02, 0.005, 0.8_f64);
     let found = at_vanishing_zone(|zone| {
         let control = SlidingControl::HalfWidth(half_width);
@@ -298,7 +298,7 @@ fn contacts_follow_the_slope_of_the_law() {
 /// Along speeds the works go with them; where the curve turns, one of constant works turns as well.
 #[test]
 fn a_branch_of_speeds_follows_the_law() {
-    let material = Material::standard_solid(RELAXED, 100.0 * RELAXED, 1.0).unwrap();
+    let material = PlaneMaterial::standard_solid(RELAXED, 100.0 * RELAXED, 1.0).unwrap();
     let law = WorkBySpeed::power(1e-3, 0.3).unwrap();
     let adhesion = uneven(0.002, 0.0015, 0.01);
     let control = SlidingControl::MeanPressure(0.05);
@@ -338,9 +338,9 @@ fn a_branch_of_speeds_follows_the_law() {
     // A curve turns in speed where the conditions at fixed speed become singular: at the works of that speed, whatever they do elsewhere.
     let held = BranchProblem { adhesion: works(at_fold.value), ..base };
     let other = trace(&material, &held).unwrap();
-    let elsewhere = other.folds_of(FoldQuantity::LogRate).next().unwrap().parameter();
-    println!("fold at {at_fold:?}, with works held at {elsewhere:?}");
-    assert!((elsewhere.value - at_fold.value).abs() <= elsewhere.error + at_fold.error + 1e-12 * at_fold.value);
+    let at_another = other.folds_of(FoldQuantity::LogRate).next().unwrap().parameter();
+    println!("fold at {at_fold:?}, with works held at {at_another:?}");
+    assert!((at_another.value - at_fold.value).abs() <= at_another.error + at_fold.error + 1e-12 * at_fold.value);
     assert!(at_fold.error < 1e-7 * at_fold.value, "{at_fold:?}");
     // Without the law it turns elsewhere, or not at all.
     let constant = trace(&material, &base).unwrap();
@@ -364,7 +364,7 @@ fn problem_near(contact: &PartialValues, adhesion: WaveAdhesion, rate: f64) -> S
 /// Pull-off, snap-in and stability with two works: where the signs change is where the curve turns; elastic limits in closed form.
 #[test]
 fn branches_of_two_works_turn_where_the_closed_form_does() {
-    let elastic = Material::elastic(1.0).unwrap();
+    let elastic = PlaneMaterial::elastic(1.0).unwrap();
     let (trailing, leading) = (0.006_f64, 0.002_f64);
     let load = |a: f64| {
         let (s, c) = (0.5 * a).sin_cos();

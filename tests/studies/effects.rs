@@ -1,7 +1,7 @@
 //! Source: `studies::effects`; the README's "a table that is absent is an effect that is not simulated".
 //!
-//! Goal: the study sees an effect that changes something, and one that costs nothing although it should; its neutral effects change nothing; a thick layer is a half-plane,
-//! to the bit, and a thinner one is not.
+//! Goal: the study sees an effect that changes something, and one that costs nothing although it should; its neutral effects change nothing; a thick layer is a
+//! half-plane, to the bit, and a thinner one is not.
 //!
 //! Parameters: three of its effects.
 //!
@@ -17,7 +17,7 @@ fn named(name: &str) -> Effect {
     effects().into_iter().find(|effect| effect.name == name).unwrap()
 }
 
-fn judged(effect: &Effect) -> (bool, bool) {
+fn assessed(effect: &Effect) -> (bool, bool) {
     let (with, without) = (solved(&effect.with, 1).unwrap().0, solved(&effect.without, 1).unwrap().0);
     let (off, compared) = difference(effect, &with, &without);
     println!("{}: {off:e} of {compared}; {} | {}", effect.name, with.work(), without.work());
@@ -32,10 +32,10 @@ fn neutral_effects_change_nothing_and_others_are_seen() {
         ("fields (steady crack)", "points = 30", "points = 31"),
     ] {
         let effect = named(name);
-        assert_eq!(judged(&effect), (true, true), "{name}");
+        assert_eq!(assessed(&effect), (true, true), "{name}");
         assert!(effect.with.contains(neutral), "{name}");
         let changed = Effect { with: effect.with.replace("0.999999999999", "0.999").replace(neutral, real), ..effect.clone() };
-        assert_eq!(judged(&changed).0, name.starts_with("fields"), "{name}");
+        assert_eq!(assessed(&changed).0, name.starts_with("fields"), "{name}");
     }
 }
 
@@ -43,7 +43,7 @@ fn neutral_effects_change_nothing_and_others_are_seen() {
 fn an_effect_that_costs_nothing_is_seen() {
     let effect = named("fields (steady crack)");
     let idle = Effect { with: effect.without.clone(), ..effect };
-    assert_eq!(judged(&idle), (true, false));
+    assert_eq!(assessed(&idle), (true, false));
 }
 
 #[test]
@@ -59,7 +59,7 @@ fn every_effect_has_two_scenes() {
 #[test]
 fn values_that_are_not_there_are_no_agreement() {
     let effect = Effect { columns: &["no such column"], ..named("fields (steady crack)") };
-    assert!(!judged(&effect).0);
+    assert!(!assessed(&effect).0);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 //! Goal: every panel is there and every feature holds; features notice changed data and changed physics; numbers do not drift; what was computed is kept.
 //! Sketch: manifest ──► sources ──► curves ──► features, beside `verification/baselines/figures.csv`.
 //! Oracle: what the thesis states, closed forms and laws, as the manifest says feature by feature; the baseline guards against drift and is no evidence.
-//! Tolerance: that of each feature; drift by figure, 1e-6 for the steady problems (accuracy 1e-6), 2e-3 to 2e-2 for marches (accuracy 1e-3).
+//! Tolerance: that of each feature; drift by figure, 1e-6 for the steady problems (accuracy 1e-6), 2e-3 to 2e-2 for integrations (accuracy 1e-3).
 //! `VISCOTACK_WRITE_BASELINES=1` writes the baseline anew, of all figures.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
@@ -13,7 +13,7 @@ use viscotack_program::outcome::Row;
 use viscotack_program::outcome::owned::digest;
 use viscotack_program::plan;
 use viscotack_program::scene::{Document, read};
-use viscotack_verification::figures::{Manifest, Options, Report, Verdict, run, write_scenes};
+use viscotack_verification::figures::{FeatureResult, Manifest, Options, Report, run, write_scenes};
 
 fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
@@ -100,7 +100,7 @@ fn the_reduced_set_passes_and_has_not_drifted() {
         write_baseline(&made(&manifest, &[], None, false));
     }
     let report = made(&manifest, &[], None, true);
-    assert_eq!(report.count(Verdict::Failed), 0, "{}", report.table());
+    assert_eq!(report.count(FeatureResult::Failed), 0, "{}", report.table());
     assert!(report.figures.len() >= 15);
     let known = baseline();
     for figure in &report.figures {
@@ -137,7 +137,7 @@ fn features_notice_changed_physics() {
         let mut mutated = text.clone();
         mutated.replace_range(place..place + from.len(), to);
         let report = made(&Manifest::parse(&mutated).unwrap(), &[figure], None, false);
-        assert!(report.count(Verdict::Failed) > 0, "figure {figure} does not notice {from} -> {to}");
+        assert!(report.count(FeatureResult::Failed) > 0, "figure {figure} does not notice {from} -> {to}");
     };
     changed("1.2", "work_of_adhesion = 1.6e-4", "work_of_adhesion = 1.1e-4");
     changed("2.2", "stiffening_ratio = 10", "stiffening_ratio = 8");

@@ -35,7 +35,7 @@ fn intervals_cover_the_truth_as_often_as_they_say() {
         let data: Vec<f64> = decay(&truth).iter().map(|value| value + sigma * stream.sample()).collect();
         let parameters = vec![parameter("amplitude", 0.01, 100.0), parameter("time", 0.01, 100.0)];
         let groups = group(data.len(), 0.1);
-        let found = fit(&Problem { parameters, data, groups, model: &model, loss: Loss::Squares, starts: 3 }).unwrap();
+        let found = fit(&Problem { starts: 3, ..Problem::squares(parameters, data, groups, &model) }).unwrap();
         for (place, truth) in truth.iter().enumerate() {
             covered[0] += usize::from(found.by_profile[place].holds(*truth));
             covered[1] += usize::from(found.by_covariance[place].holds(*truth));

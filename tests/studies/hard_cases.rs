@@ -1,13 +1,13 @@
 //! Source: `studies::hard_cases`; thesis chapters 3 to 5 and the closed forms that each case names.
 //!
-//! Goal: at least sixty cases over all problems; every one comes out as theory says, or is named as lost with the reason; and the judge can say no: each expectation,
-//! falsified, fails.
+//! Goal: at least sixty cases over all problems; every one comes out as theory says, or is named as lost with the reason; and the comparison can say no: each
+//! expectation, falsified, fails.
 //!
 //! Parameters: all cases of the reduced report.
 //!
 //! Oracle: closed forms, limits, textbook fields, other routes, each named with its case; none recorded from a run.
 //!
-//! Tolerance: stated with each case; bars as well as errors must be within it.
+//! Tolerance: stated with each case; bounds as well as errors must be within it.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use rayon::prelude::*;
@@ -15,18 +15,18 @@ use std::collections::{BTreeMap, BTreeSet};
 use viscotack::{Estimate, Refusal};
 use viscotack_verification::studies::Effort;
 use viscotack_verification::studies::hard_cases::case::{Expected, Found, Kind, falsified, held};
-use viscotack_verification::studies::hard_cases::{cases, complaints};
+use viscotack_verification::studies::hard_cases::{cases, failures};
 
 #[test]
 fn every_hard_case_comes_out_as_theory_says() {
     let all = cases(Effort::Reduced);
-    let results: Vec<Vec<String>> = all.par_iter().map(|case| complaints(&case.expected, &(case.run)())).collect();
+    let results: Vec<Vec<String>> = all.par_iter().map(|case| failures(&case.expected, &(case.run)())).collect();
     let mut of_problem: BTreeMap<&str, usize> = BTreeMap::new();
     let mut wrong = Vec::new();
-    for (case, complaints) in all.iter().zip(&results) {
+    for (case, failures) in all.iter().zip(&results) {
         *of_problem.entry(case.problem).or_default() += 1;
-        if !complaints.is_empty() {
-            wrong.push(format!("{}: {}: {complaints:?}", case.problem, case.name));
+        if !failures.is_empty() {
+            wrong.push(format!("{}: {}: {failures:?}", case.problem, case.name));
         }
     }
     println!("{of_problem:?}");
@@ -37,7 +37,7 @@ fn every_hard_case_comes_out_as_theory_says() {
 }
 
 #[test]
-fn the_judge_says_no() {
+fn the_comparison_says_no() {
     let value = |value, error| Found::default().with("x", Estimate::new(value, error));
     let x = Expected::Value { quantity: "x", value: 2.0, tolerance: 1e-3 };
     assert!(held(&x, &value(2.0005, 1e-4)).is_ok());
@@ -54,5 +54,5 @@ fn the_judge_says_no() {
     let out = Found::refused(Refusal::out_of_range("x", 1.0, "less"));
     assert!(held(&Expected::Refused(Kind::OutOfRange), &out).is_ok() && held(&Expected::Refused(Kind::Undefined), &out).is_err());
     assert!(held(&Expected::Is("held"), &Found::default().is("lost")).is_err());
-    assert!(!complaints(&[], &value(1.0, 0.0)).is_empty(), "nothing is expected");
+    assert!(!failures(&[], &value(1.0, 0.0)).is_empty(), "nothing is expected");
 }

@@ -1,10 +1,10 @@
-//! Source: `verification/src/studies/held_contacts`, the judge of sliding states under a held load, penetration or half-width.
+//! Source: `verification/src/studies/held_contacts`, the reference for sliding states under a held load, penetration or half-width.
 //!
-//! Goal: the judge finds all contacts, and it notices a wrong answer.
-//! Oracle: pairs of conics made to pass through four drawn points; the contacts of `reference_data/sliding_held_loads.csv` (collocation, another program and another search);
-//! small motions of two edges with drawn mobilities, integrated in time, for the criterion of stability; answers that are made wrong on purpose.
-//! Tolerance: 1e-8 of a point (rounding of a quartic with roots as near as drawn); 1e-6 of a contact (both discretisations confirm seven digits and more); 1e-4 of a limit (the
-//! reference takes the turn of the load, the judge also a contact just before it where one edge alone runs away); none for verdicts.
+//! Goal: the reference finds all contacts, and it notices a wrong answer.
+//! Oracle: pairs of conics made to pass through four drawn points; the contacts of `reference_data/sliding_held_loads.csv` (collocation, another program and another
+//! search); small motions of two edges with drawn mobilities, integrated in time, for the criterion of stability; answers that are made wrong on purpose. Tolerance:
+//! 1e-8 of a point (rounding of a quartic with roots as near as drawn); 1e-6 of a contact (both discretisations confirm seven digits and more); 1e-4 of a limit (the
+//! reference takes the turn of the load, the study also a contact just before it where one edge alone becomes unstable); none for results.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, missing_docs)]
 
 use crate::support;
@@ -16,7 +16,7 @@ use support::reference_rows;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactEdges, ContactMemory, Indenter, Resolution, WaveContact};
 use viscotack::sliding::steady::{PartialValues, WaveAdhesion};
-use viscotack::{Estimate, Material};
+use viscotack::{Estimate, PlaneMaterial};
 use viscotack_verification::studies::draw::Draw;
 use viscotack_verification::studies::held_contacts::answer::Answer;
 use viscotack_verification::studies::held_contacts::conics::common_points;
@@ -85,7 +85,7 @@ fn a_stable_matrix_holds_both_edges_whatever_their_mobilities() {
 }
 
 /// Material, adhesion, held loads with the half-width of their stable contact, and limits, of a case of the reference.
-type Case = (Material, Option<WaveAdhesion>, BTreeMap<u64, Option<f64>>, Vec<(String, f64, f64)>);
+type Case = (PlaneMaterial, Option<WaveAdhesion>, BTreeMap<u64, Option<f64>>, Vec<(String, f64, f64)>);
 
 fn cases() -> BTreeMap<String, Case> {
     let mut cases: BTreeMap<String, Case> = BTreeMap::new();
@@ -106,7 +106,7 @@ fn cases() -> BTreeMap<String, Case> {
                 leading_zone: row.number("zone"),
             };
             let adhesion = (adhesion.trailing_zone > 0.0).then_some(adhesion);
-            (Material::from_creep(1.0 / glassy, &terms, None).unwrap(), adhesion, BTreeMap::new(), Vec::new())
+            (PlaneMaterial::from_creep(1.0 / glassy, &terms, None).unwrap(), adhesion, BTreeMap::new(), Vec::new())
         });
         match (row.text("asked"), row.text("quantity")) {
             ("limit", _) => case.3.push((row.text("index").to_owned(), row.number("value"), 10f64.powf(-row.number("confirmed_digits")))),
@@ -124,14 +124,14 @@ fn cases() -> BTreeMap<String, Case> {
 }
 
 #[test]
-fn the_judge_finds_the_contacts_and_limits_of_another_program() {
+fn the_reference_finds_the_contacts_and_limits_of_another_program() {
     for (name, (material, adhesion, held, limits)) in cases() {
         let memory = Arc::new(ContactMemory::new(&material, 1.0).unwrap());
         let at = |resolution| Bodies::new(Arc::clone(&memory), Indenter::Wave, adhesion, resolution);
         let speed = Speed::new(at(Resolution::Fine), at(Resolution::Finest), 100, false).unwrap();
-        let near = |told: f64, kind: &str| {
+        let near = |reported: f64, kind: &str| {
             limits.iter().any(|(name, value, digit)| {
-                name.starts_with(kind) && (told - value).abs() < 1e-4_f64.max(3.0 * digit) * value.abs().max(0.1)
+                name.starts_with(kind) && (reported - value).abs() < 1e-4_f64.max(3.0 * digit) * value.abs().max(0.1)
             })
         };
         for (load, right) in held {
@@ -150,17 +150,17 @@ fn the_judge_finds_the_contacts_and_limits_of_another_program() {
 }
 
 fn values(contact: &Equilibrium) -> PartialValues {
-    let told = |value: f64| Estimate::new(value, 1e-9);
+    let reported = |value: f64| Estimate::new(value, 1e-9);
     PartialValues {
-        half_width: told(contact.half_width),
-        eccentricity: told(contact.eccentricity),
-        trailing_edge: told(contact.eccentricity - contact.half_width),
-        leading_edge: told(contact.eccentricity + contact.half_width),
-        penetration: told(contact.penetration),
-        mean_pressure: told(contact.mean_pressure),
-        friction_stress: told(contact.friction_stress),
+        half_width: reported(contact.half_width),
+        eccentricity: reported(contact.eccentricity),
+        trailing_edge: reported(contact.eccentricity - contact.half_width),
+        leading_edge: reported(contact.eccentricity + contact.half_width),
+        penetration: reported(contact.penetration),
+        mean_pressure: reported(contact.mean_pressure),
+        friction_stress: reported(contact.friction_stress),
         friction_coefficient: None,
-        interface_work: told(0.0),
+        interface_work: reported(0.0),
         adhesion: None,
     }
 }
@@ -168,37 +168,37 @@ fn values(contact: &Equilibrium) -> PartialValues {
 #[test]
 fn every_wrong_answer_is_noticed() {
     // A wave of one term, well inside its limits.
-    let material = Material::from_creep(10.0, &[CreepTerm { compliance: 0.9, retardation_time: 1.0 }], None).unwrap();
+    let material = PlaneMaterial::from_creep(10.0, &[CreepTerm { compliance: 0.9, retardation_time: 1.0 }], None).unwrap();
     let memory = Arc::new(ContactMemory::new(&material, 10.0).unwrap());
     let at = |resolution| Bodies::new(Arc::clone(&memory), Indenter::Wave, Some(WaveAdhesion::even(0.008, 1e-3)), resolution);
     let speed = Speed::new(at(Resolution::Medium), at(Resolution::Finest), 60, true).unwrap();
     let asked = |value: f64| Asked { control: Control::MeanPressure, value, reached: Reached::Loading };
     let fault = |value: f64, answer: Answer| against(0, &speed, asked(value), &answer).fault;
     let Expected::Contact { contact, others } = speed.expected(Held::Load, 0.162, Reached::Loading) else { panic!("a contact") };
-    let told = |values: PartialValues, stable: bool, others: usize| Answer::Contact {
+    let reported = |values: PartialValues, stable: bool, others: usize| Answer::Contact {
         values: Box::new(values),
         stable: [Some(stable), None, None],
         others: Some(others),
     };
     let right = values(&contact);
-    assert_eq!(fault(0.162, told(right, true, others)), None);
+    assert_eq!(fault(0.162, reported(right, true, others)), None);
     // The unstable contact of the same load, across the narrow gap.
     let unstable = speed
         .bodies
         .contacts(ContactEdges::new(Indenter::Wave, WaveContact { half_width: 3.118_663_2, eccentricity: 0.0 }).place())
         .unwrap();
     let unstable = unstable.iter().find(|other| (other.mean_pressure - 0.162).abs() < 1e-3).unwrap();
-    assert_eq!(fault(0.162, told(values(unstable), false, others)), Some(Fault::Wrong));
+    assert_eq!(fault(0.162, reported(values(unstable), false, others)), Some(Fault::Wrong));
     assert_eq!(fault(0.162, Answer::Full(0.16)), Some(Fault::FalselyFull));
     assert_eq!(fault(0.162, Answer::Nothing(0.17)), Some(Fault::FalselyRefused));
     assert_eq!(fault(0.162, Answer::Failed("not converged".into())), Some(Fault::FalselyRefused));
-    assert_eq!(fault(0.162, told(right, false, others)), Some(Fault::WrongStability));
-    assert_eq!(fault(0.162, told(right, true, others + 1)), Some(Fault::Alternatives));
+    assert_eq!(fault(0.162, reported(right, false, others)), Some(Fault::WrongStability));
+    assert_eq!(fault(0.162, reported(right, true, others + 1)), Some(Fault::Alternatives));
     let off = PartialValues { friction_stress: Estimate::new(right.friction_stress.value + 1e-7, 1e-9), ..right };
-    assert_eq!(fault(0.162, told(off, true, others)), Some(Fault::Bound));
+    assert_eq!(fault(0.162, reported(off, true, others)), Some(Fault::Bound));
     assert_eq!(fault(5.61, Answer::Full(5.609_45)), None);
     assert_eq!(fault(5.61, Answer::Full(0.591)), Some(Fault::WrongLimit));
-    assert_eq!(fault(5.61, told(right, true, 0)), Some(Fault::Wrong));
+    assert_eq!(fault(5.61, reported(right, true, 0)), Some(Fault::Wrong));
     assert_eq!(fault(-0.11, Answer::Nothing(-0.1024)), None);
     assert_eq!(fault(-0.11, Answer::Nothing(-0.0479)), Some(Fault::WrongLimit));
     assert_eq!(fault(-0.11, Answer::Full(-0.1024)), Some(Fault::FalselyFull));

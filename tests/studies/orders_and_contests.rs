@@ -17,7 +17,7 @@ use viscotack_verification::studies::order::{Convergence, Expectation, FINEST, f
 use viscotack_verification::studies::precision::{Method, Sample, contest};
 use viscotack_verification::studies::stored::parse;
 use viscotack_verification::studies::timing::median;
-use viscotack_verification::studies::{Cell, Verdict};
+use viscotack_verification::studies::{Cell, CheckResult};
 
 fn errors(order: f64, floor: f64) -> Vec<(f64, f64)> {
     let mut points: Vec<(f64, f64)> = (0..12).map(|k| 2f64.powi(k)).map(|n| (n, (3.0 * n.powf(-order)).max(floor))).collect();
@@ -56,13 +56,13 @@ fn convergence(expected: Expectation) -> Convergence {
 #[test]
 fn a_falsified_order_fails() {
     let order = |order: f64| Expectation::Order { order, least: order - 0.3, most: order + 0.3, reason: "made up" };
-    assert_eq!(convergence(order(2.0)).check().verdict, Verdict::Passed);
-    assert_eq!(convergence(order(1.0)).check().verdict, Verdict::Failed);
-    assert_eq!(convergence(order(3.0)).check().verdict, Verdict::Failed);
-    assert_eq!(convergence(Expectation::Erratic { least_error: 0.1, reason: "made up" }).check().verdict, Verdict::Failed);
-    assert_eq!(convergence(Expectation::Digits { least: 3.0, reason: "made up" }).check().verdict, Verdict::Failed);
+    assert_eq!(convergence(order(2.0)).check().result, CheckResult::Passed);
+    assert_eq!(convergence(order(1.0)).check().result, CheckResult::Failed);
+    assert_eq!(convergence(order(3.0)).check().result, CheckResult::Failed);
+    assert_eq!(convergence(Expectation::Erratic { least_error: 0.1, reason: "made up" }).check().result, CheckResult::Failed);
+    assert_eq!(convergence(Expectation::Digits { least: 3.0, reason: "made up" }).check().result, CheckResult::Failed);
     let few = Convergence { points: vec![(1.0, 0.1)], ..convergence(order(2.0)) };
-    assert_eq!(few.check().verdict, Verdict::Failed, "no order is no pass");
+    assert_eq!(few.check().result, CheckResult::Failed, "no order is no pass");
     assert!(convergence(order(2.0)).label().contains("order 2.00"));
 }
 
@@ -94,11 +94,11 @@ fn a_rival_that_wins_anywhere_is_said_to_win() {
 fn counters_that_grew_fail_and_those_that_fell_do_not() {
     let file = "problem,run,counted,count\np,one,steps,100\np,two,steps,100\n";
     let counter = |run: &str, count: f64| Counter { problem: "p".into(), run: run.into(), counted: "steps", count };
-    let verdict = |counters: &[Counter]| against(file, counters).1.verdict;
-    assert_eq!(verdict(&[counter("one", 105.0), counter("two", 50.0)]), Verdict::Passed);
-    assert_eq!(verdict(&[counter("one", 111.0), counter("two", 50.0)]), Verdict::Failed);
+    let result = |counters: &[Counter]| against(file, counters).1.result;
+    assert_eq!(result(&[counter("one", 105.0), counter("two", 50.0)]), CheckResult::Passed);
+    assert_eq!(result(&[counter("one", 111.0), counter("two", 50.0)]), CheckResult::Failed);
     // Runs that nobody stored prove nothing.
-    assert_eq!(verdict(&[counter("three", 1.0)]), Verdict::Failed);
+    assert_eq!(result(&[counter("three", 1.0)]), CheckResult::Failed);
     let (table, _) = against(file, &[counter("one", 111.0)]);
     assert!(table.rows[0].contains(&Cell::Number(Some(111.0))));
 }

@@ -17,18 +17,18 @@
 //! Oracle: the printed digits; for the cylinders besides `rolling_cylinders.csv`, an independent collocation down to strips 27 times finer than CONTACT's, and
 //! `contact_rolling.csv`, a collocation of CONTACT's own discretisation.
 //!
-//! Tolerance: half a unit of the last printed digit. CONTACT prints what its discretisation gives, not what its equations say, and three of its five pressures differ from
-//! the solver in the last digits. So two steps. Discretised as its input and source say (one row of rectangles of 0.16 mm by 1000 mm, a rim in the middle; integrals over the
-//! memory to 1e-3, neighbours subtracted) the independent collocation gives all fifteen numbers to the printed digit, also the 85.31 with slow creep above the 85.29 without,
-//! which no creep can do. Without that discretisation the same collocation gives the solver's digits: 1e-6 (its two finest meshes agree to 1.2e-6 at worst, the observed difference
-//! is 8e-8). The solver may differ from a printed number by what the discretisation alone changes, at most 0.014 N/mm².
+//! Tolerance: half a unit of the last printed digit. CONTACT prints what its discretisation gives, not what its equations say, and three of its five pressures differ
+//! from the solver in the last digits. So two steps. Discretised as its input and source say (one row of rectangles of 0.16 mm by 1000 mm, a rim in the middle;
+//! integrals over the memory to 1e-3, neighbours subtracted) the independent collocation gives all fifteen numbers to the printed digit, also the 85.31 with slow creep
+//! above the 85.29 without, which no creep can do. Without that discretisation the same collocation gives the solver's digits: 1e-6 (its two finest meshes agree to
+//! 1.2e-6 at worst, the observed difference is 8e-8). The solver may differ from a printed number by what the discretisation alone changes, at most 0.014 N/mm².
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
 
 use std::f64::consts::PI;
 use support::reference_rows;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::elastic::johnson_wave::SPONTANEOUS_FULL_CONTACT;
 use viscotack::elastic::{Control, JkrSphere, KendallPunch};
 use viscotack::material::CreepTerm;
@@ -48,18 +48,18 @@ fn glassy_modulus() -> f64 {
 }
 
 /// Compliance doubled in the end; no term for the stiff elastic cylinders, and the soft ones for a creep time of zero.
-fn cylinders(creep_time: Option<f64>) -> Material {
+fn cylinders(creep_time: Option<f64>) -> PlaneMaterial {
     let glassy = glassy_modulus();
     match creep_time {
-        None => Material::elastic(glassy),
-        Some(0.0) => Material::elastic(0.5 * glassy),
-        Some(retardation_time) => Material::from_creep(glassy, &[CreepTerm { compliance: 1.0 / glassy, retardation_time }], None),
+        None => PlaneMaterial::elastic(glassy),
+        Some(0.0) => PlaneMaterial::elastic(0.5 * glassy),
+        Some(retardation_time) => PlaneMaterial::from_creep(glassy, &[CreepTerm { compliance: 1.0 / glassy, retardation_time }], None),
     }
     .unwrap()
 }
 
 /// The contact in lengths of a millimetre.
-fn rolled(material: &Material) -> PartialContact {
+fn rolled(material: &PlaneMaterial) -> PartialContact {
     let problem = SlidingProblem {
         rate: SPEED,
         indenter: Indenter::Parabola,
@@ -75,7 +75,7 @@ fn rolled(material: &Material) -> PartialContact {
 }
 
 /// Largest pressure: a smooth maximum inside, by golden section.
-fn largest_pressure(material: &Material, contact: &PartialContact) -> f64 {
+fn largest_pressure(material: &PlaneMaterial, contact: &PartialContact) -> f64 {
     let width = 2.0 * contact.values.half_width.value;
     let unit = material.relaxed_modulus() / (2.0 * RADIUS);
     let pressure = |part: f64| {
@@ -201,7 +201,7 @@ fn punch_of_kendall() {
 fn friction_of_full_contact() {
     for beta in [2.0, 10.0, 1000.0] {
         let (relaxed, time) = (0.8e6, 0.03);
-        let material = Material::standard_solid(relaxed, beta * relaxed, time).unwrap();
+        let material = PlaneMaterial::standard_solid(relaxed, beta * relaxed, time).unwrap();
         let at = |ratio: f64| full_contact_friction(&material, ratio / time).unwrap().value;
         assert!((at(beta) / (0.25 * (beta - 1.0)) - 1.0).abs() < 1e-13);
         assert!(at(0.99 * beta) < at(beta) && at(1.01 * beta) < at(beta));

@@ -8,7 +8,7 @@
 
 use viscotack_program::outcome::plot::{Axis, Figure};
 use viscotack_verification::studies::{
-    Cell, Check, Column, Effort, PAGE, Plot, Progress, Report, STUDIES, Section, Study, Table, Verdict, chosen, failures, files, ours,
+    Cell, Check, CheckResult, Column, Effort, PAGE, Plot, Progress, Report, STUDIES, Section, Study, Table, chosen, failures, files, ours,
     rival, run, stored_curve,
 };
 
@@ -109,7 +109,7 @@ fn a_failure_and_a_panic_are_loud() {
         Study { identifier: "failing", alone: false, compute: failing },
         Study { identifier: "panicking", alone: true, compute: panicking },
     ]);
-    assert_eq!((report.count(Verdict::Passed), report.count(Verdict::Stated), report.count(Verdict::Failed)), (2, 2, 2));
+    assert_eq!((report.count(CheckResult::Passed), report.count(CheckResult::Stated), report.count(CheckResult::Failed)), (2, 2, 2));
     let page = page(&report);
     assert!(
         page.contains("Checks failed") && page.contains("What failed") && page.contains("order: falsified") && page.contains("it panicked")
@@ -136,7 +136,7 @@ fn studies_are_chosen_by_name_and_their_names_are_their_own() {
 fn a_real_study_passes_and_is_on_its_page() {
     let report = of(&chosen(&["convergence_crack".to_owned()]).unwrap());
     print!("{}", report.table());
-    assert!(report.count(Verdict::Failed) == 0 && report.count(Verdict::Passed) >= 4);
+    assert!(report.count(CheckResult::Failed) == 0 && report.count(CheckResult::Passed) >= 4);
     assert!(report.sections[0].identifier == "convergence_crack", "a section has the name of its study");
     let page = page(&report);
     assert_self_contained(&page);

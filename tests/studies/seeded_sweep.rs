@@ -16,24 +16,24 @@ use viscotack_verification::studies::known_states::crack::known_crack;
 use viscotack_verification::studies::known_states::delayed::{KnownTime, known_growth};
 use viscotack_verification::studies::known_states::sliding::known_contact;
 use viscotack_verification::studies::known_states::sphere::known_sphere;
-use viscotack_verification::studies::seeded_sweep::{SEED, Verdict, crack, delayed, sliding, sphere};
+use viscotack_verification::studies::seeded_sweep::{SEED, SweepResult, crack, delayed, sliding, sphere};
 
-fn is_right(verdict: &Verdict) -> bool {
-    matches!(verdict, Verdict::Right(_) | Verdict::Another(_))
+fn is_right(result: &SweepResult) -> bool {
+    matches!(result, SweepResult::Right(_) | SweepResult::Another(_))
 }
 
 #[test]
 fn contacts_are_found_again_and_moved_ones_are_not() {
     (0..40_u64).into_par_iter().for_each(|scene| {
         let known = known_contact(&mut Draw::of(SEED ^ 1, scene)).unwrap();
-        let verdict = sliding(&known);
-        assert!(is_right(&verdict), "{scene}: {verdict:?} {}", known.described());
+        let result = sliding(&known);
+        assert!(is_right(&result), "{scene}: {result:?} {}", known.described());
         let mut moved = known.clone();
         moved.eccentricity += 1e-3;
-        assert!(!matches!(sliding(&moved), Verdict::Right(_)), "{scene}: the drawn eccentricity may be anything");
+        assert!(!matches!(sliding(&moved), SweepResult::Right(_)), "{scene}: the drawn eccentricity may be anything");
         if let Some(defect) = known.defect_at(known.half_width, known.eccentricity, known.mean_pressure) {
-            let elsewhere = known.defect_at(known.half_width, known.eccentricity + 0.01, known.mean_pressure).unwrap_or(1.0);
-            assert!(defect < 1e-7 && elsewhere > 1e-4, "{scene}: {defect:e} {elsewhere:e}");
+            let at_another = known.defect_at(known.half_width, known.eccentricity + 0.01, known.mean_pressure).unwrap_or(1.0);
+            assert!(defect < 1e-7 && at_another > 1e-4, "{scene}: {defect:e} {at_another:e}");
         }
     });
 }
@@ -82,7 +82,7 @@ fn spheres_are_found_again_and_moved_ones_are_not() {
 fn pulled_spheres_with_short_zones_start() {
     use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, run};
     use viscotack_verification::studies::known_states::sphere::elastic_work;
-    let material = viscotack::Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let material = viscotack::PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap();
     for (part, by_force) in [(2.5, false), (3.5, false), (0.9, true), (1.25, true)] {
         let (a, zone): (f64, f64) = (0.1, 1e-4);
         let depth = a * a * (1.0 - part);

@@ -1,6 +1,7 @@
 //! Source: the key catalogue (`program/src/scene/catalogue`) and `studies::whole_grammar`.
 //!
-//! Goal: a scene is the same in whatever units it is written. The drawn scenes hold every key in every problem that has it, and every word of every choice. Their bounds are compared by `viscotack verify grammar`.
+//! Goal: a scene is the same in whatever units it is written. The drawn scenes hold every key in every problem that has it, and every word of every choice. Their bounds
+//! are compared by `viscotack verify grammar`.
 //!
 //! Oracle: the key catalogue.
 //!

@@ -1,24 +1,24 @@
-//! The sphere of the thesis's chapter 4 and its marches, printed: γ̃ = 1.6e-4, δ̃ = 0.013, E0* = R = ρ = 1.
+//! The sphere of the thesis's chapter 4 and its integrations, printed: γ̃ = 1.6e-4, δ̃ = 0.013, E0* = R = ρ = 1.
 
 use std::f64::consts::PI;
-use viscotack::Material;
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Start, Trace, march};
+use viscotack::PlaneMaterial;
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Start, Trace, integrate};
 use viscotack::material::RelaxationTerm;
 
 pub const WORK: f64 = 1.6e-4 * PI;
 pub const ZONE: f64 = 0.013;
 pub const SPHERE: Profile = Profile::Paraboloid { radius: 1.0 };
 
-pub fn rubber() -> Material {
-    Material::standard_solid(1.0, 10.0, 10.0).unwrap()
+pub fn rubber() -> PlaneMaterial {
+    PlaneMaterial::standard_solid(1.0, 10.0, 10.0).unwrap()
 }
 
-pub fn three_terms() -> Material {
+pub fn three_terms() -> PlaneMaterial {
     let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
-    Material::from_relaxation(1.0, &[term(3.0, 0.1), term(4.0, 1.0), term(2.0, 20.0)]).unwrap()
+    PlaneMaterial::from_relaxation(1.0, &[term(3.0, 0.1), term(4.0, 1.0), term(2.0, 20.0)]).unwrap()
 }
 
-pub fn marched(material: &Material, history: History, start: Start, tolerance: f64) -> Trace {
+pub fn integrated(material: &PlaneMaterial, history: History, start: Start, tolerance: f64) -> Trace {
     let instants = if history.segments.len() > 10 { 1 } else { 4 };
     let problem = IndentationProblem {
         start,
@@ -26,7 +26,7 @@ pub fn marched(material: &Material, history: History, start: Start, tolerance: f
         energies: true,
         ..IndentationProblem::new(SPHERE, Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE }), history)
     };
-    let trace = march(material, &problem, tolerance).unwrap();
+    let trace = integrate(material, &problem, tolerance).unwrap();
     let worst = trace.path.iter().fold(0.0f64, |most, point| most.max(point.residual.abs()));
     println!(
         "  {tolerance:e}: steps {} closures {} panels {} balance {:e} residual {worst:e} end a {:.9} F {:.9e} events {:?}",

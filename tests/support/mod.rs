@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::Path;
-use viscotack::material::{CreepTerm, Material, RelaxationTerm};
+use viscotack::material::{CreepTerm, PlaneMaterial, RelaxationTerm};
 
 /// One row of a reference file, by column name.
 pub struct Row(HashMap<String, String>);
@@ -50,7 +50,7 @@ pub fn reference_rows(name: &str) -> Vec<Row> {
 }
 
 /// The materials of `reference_data/steady_crack_materials.csv`.
-pub fn reference_materials() -> HashMap<String, Material> {
+pub fn reference_materials() -> HashMap<String, PlaneMaterial> {
     #[derive(Default)]
     struct Parts {
         kind: String,
@@ -76,12 +76,12 @@ pub fn reference_materials() -> HashMap<String, Material> {
         .map(|(name, part)| {
             let pairs = part.strengths.iter().copied().zip(part.times.iter().copied());
             let material = match part.kind.as_str() {
-                "creep" => Material::from_creep(
+                "creep" => PlaneMaterial::from_creep(
                     part.numbers["glassy_modulus"],
                     &pairs.map(|(compliance, retardation_time)| CreepTerm { compliance, retardation_time }).collect::<Vec<_>>(),
                     part.numbers.get("flow_viscosity").copied(),
                 ),
-                "relaxation" => Material::from_relaxation(
+                "relaxation" => PlaneMaterial::from_relaxation(
                     part.numbers["relaxed_modulus"],
                     &pairs.map(|(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time }).collect::<Vec<_>>(),
                 ),

@@ -1,7 +1,7 @@
 //! What the physics tests share: relative errors and random materials that are the same on every machine.
 #![allow(dead_code, unreachable_pub, clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use viscotack::material::{CreepTerm, Material, RelaxationTerm};
+use viscotack::material::{CreepTerm, PlaneMaterial, RelaxationTerm};
 
 /// |value/expected − 1|, and never a comparison that a small unit makes vacuous.
 pub fn relative(value: f64, expected: f64) -> f64 {
@@ -40,7 +40,7 @@ impl Random {
 
 /// A solid with up to `most_terms` terms over up to `decades` decades and β up to `largest_beta`, given by either series; its moduli
 /// and times are nothing like one.
-pub fn random_solid(random: &mut Random, most_terms: usize, decades: f64, largest_beta: f64) -> Material {
+pub fn random_solid(random: &mut Random, most_terms: usize, decades: f64, largest_beta: f64) -> PlaneMaterial {
     let count = random.count(most_terms);
     let beta = 1.0 + random.decade(0.01, largest_beta - 1.0);
     let relaxed = random.decade(1e3, 1e8);
@@ -58,7 +58,7 @@ pub fn random_solid(random: &mut Random, most_terms: usize, decades: f64, larges
             .zip(&weights)
             .map(|(&retardation_time, weight)| CreepTerm { compliance: gained * weight / total, retardation_time })
             .collect();
-        Material::from_creep(beta * relaxed, &terms, None).unwrap()
+        PlaneMaterial::from_creep(beta * relaxed, &terms, None).unwrap()
     } else {
         let lost = (beta - 1.0) * relaxed;
         let terms: Vec<RelaxationTerm> = times
@@ -66,14 +66,14 @@ pub fn random_solid(random: &mut Random, most_terms: usize, decades: f64, larges
             .zip(&weights)
             .map(|(&relaxation_time, weight)| RelaxationTerm { modulus: lost * weight / total, relaxation_time })
             .collect();
-        Material::from_relaxation(relaxed, &terms).unwrap()
+        PlaneMaterial::from_relaxation(relaxed, &terms).unwrap()
     }
 }
 
 /// The same solid in MPa, mm and ms: stresses times 1e-6, times times 1e3.
-pub fn in_mpa_ms(material: &Material) -> Material {
+pub fn in_mpa_ms(material: &PlaneMaterial) -> PlaneMaterial {
     match material.given() {
-        viscotack::material::GivenSeries::Creep => Material::from_creep(
+        viscotack::material::GivenSeries::Creep => PlaneMaterial::from_creep(
             material.glassy_modulus() * 1e-6,
             &material
                 .creep_terms()
@@ -82,7 +82,7 @@ pub fn in_mpa_ms(material: &Material) -> Material {
                 .collect::<Vec<_>>(),
             material.steady_viscosity().map(|viscosity| viscosity * 1e-3),
         ),
-        viscotack::material::GivenSeries::Relaxation => Material::from_relaxation(
+        viscotack::material::GivenSeries::Relaxation => PlaneMaterial::from_relaxation(
             material.relaxed_modulus() * 1e-6,
             &material
                 .relaxation_terms()

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Indenter, Prescribed, Resolution, WaveContact};
 use viscotack::sliding::edge_balance::EdgeBalance;
 use viscotack::sliding::steady::{SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 
 /// A contact of a wave with both releases, zero without adhesion.
 #[derive(Debug, Clone)]
@@ -27,7 +27,7 @@ pub fn control(prescribed: Prescribed) -> SlidingControl {
 
 /// The contact at a rate kv (1/s), by the path that the program takes.
 pub fn contact_at_rate(
-    material: &Material,
+    material: &PlaneMaterial,
     rate: f64,
     adhesion: Option<WaveAdhesion>,
     prescribed: Prescribed,

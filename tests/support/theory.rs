@@ -6,7 +6,7 @@ use viscotack::crack::persson_brener::PerssonBrener;
 use viscotack::crack::steep_closing::Correction;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, CurvePoint, Interface, Motion, ProcessZone, SteadyCurve};
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 
 pub enum Theory<'a> {
     Work(VirtualWork<'a>),
@@ -23,7 +23,7 @@ impl SteadyCurve for Theory<'_> {
         }
     }
 
-    fn material(&self) -> &Material {
+    fn material(&self) -> &PlaneMaterial {
         match self {
             Self::Work(curve) => curve.material(),
             Self::Loss(curve) => curve.material(),
@@ -70,7 +70,7 @@ pub fn growing(factor: f64) -> ProcessZone {
 }
 
 /// Every theory with every law that exists in this motion, with a name.
-pub fn theories<'a>(material: &'a Material, motion: Motion) -> Vec<(String, Theory<'a>)> {
+pub fn theories<'a>(material: &'a PlaneMaterial, motion: Motion) -> Vec<(String, Theory<'a>)> {
     let mut laws = vec![ProcessZone::Constant { length: 2.3e-7 }, growing(0.37)];
     if motion == Motion::Closing {
         laws.push(ProcessZone::Schapery { cohesive_stress: STRESS, factor: 0.8 });

@@ -1,4 +1,4 @@
-"""Random scenes of indentation without adhesion, over everything that [indentation] lets one type, and what they mean to the judge.
+"""Random scenes of indentation without adhesion, over everything that [indentation] lets one type, and what they mean to the reference.
 
 A scene is a dictionary with the TOML text, the files it names, and `legs`: what is done, in coherent units (SI, or reduced with forces over pi).
 """

@@ -102,7 +102,7 @@ def values(done):
     return [row["values"] for row in rows if row["row"] == "instant"]
 
 
-def apart(old, new):
+def difference(old, new):
     """The largest difference of both programs over the bounds of both, and over the largest value."""
     if len(old) != len(new):
         return math.inf, math.inf
@@ -129,7 +129,7 @@ def compared(binaries, name, text, floor, measured, repeats, least):
         if any(rows is None for rows in found.values()):
             print(f"{name:28} not solved by: {', '.join(key for key, rows in found.items() if rows is None)}")
             return None
-        bounds, scale = apart(found["old"], found["new"])
+        bounds, scale = difference(found["old"], found["new"])
         if bounds > 1.0:
             print(f"{name:28} they differ by {scale:.1e} of the largest value, {bounds:.2g} of both bounds: no ratio")
             return None

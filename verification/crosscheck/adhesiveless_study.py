@@ -39,9 +39,9 @@ LIMIT = 20              # seconds of its processor after which a run counts as n
 REDUCED, FULL = (300, 1), (10_000, 2)
 # Events that the program may name when contact begins or ends.
 ENDS, BEGINS = ("detachment",), ("touch", "first_touch", "jump_in")
-# Rounding of the judge, over the largest value of the history.
+# Rounding of the reference, over the largest value of the history.
 ROUNDING = 2e-12
-# In place of a folder: the bed of springs judges.
+# In place of a folder: the bed of springs is the reference.
 BLUNT = "springs"
 
 
@@ -191,7 +191,7 @@ def blur(events, rough):
     return max((2.0 * length + 4.0 * abs(t - other) for (_, t, length), (_, other, _) in zip(events, rough)), default=0.0)
 
 
-def judge(scene, right, summary, code, message, detail=None):
+def assess(scene, right, summary, code, message, detail=None):
     """What is wrong, a sentence each, and (name, bound, difference, scale) of every value compared."""
     if not summary:
         return [f"refused, exit {code}: {first_line(message)}"], []
@@ -224,8 +224,8 @@ def judge(scene, right, summary, code, message, detail=None):
     values = {"penetration": (depth, of_depth), "force": (force / unit, of_force / unit), "contact_radius": (radius, of_radius)}
     if scene["stiffness"] is not None:
         values["frame_displacement"] = (depth + force / scene["stiffness"], of_depth + of_force / scene["stiffness"])
-    for name, (judged, own) in values.items():
-        scale = float(np.max(np.abs(judged)))
+    for name, (assessed, own) in values.items():
+        scale = float(np.max(np.abs(assessed)))
         for k, row in enumerate(instants):
             cell = row["values"].get(name)
             if cell is None or cell["value"] is None:
@@ -237,14 +237,14 @@ def judge(scene, right, summary, code, message, detail=None):
             if not isinstance(value, (float, int)) or not math.isfinite(value):
                 wrong.append(f"{name} is {value}")
                 continue
-            difference = abs(value - judged[k])
+            difference = abs(value - assessed[k])
             allowed = bound + own[k] + (ROUNDING + right["own"]) * scale
             compared.append((name, bound, difference, scale))
             if detail is not None:
-                detail.append((name, times[k], value, bound, float(judged[k]), difference, allowed))
+                detail.append((name, times[k], value, bound, float(assessed[k]), difference, allowed))
             if difference > allowed:
-                wrong.append(f"{name} at {times[k]:.9g}: {value:.12g} ± {bound:.1e}, right {judged[k]:.12g} ({difference / scale if scale else 0:.1e} of its largest)")
-    wrong += judge_events(right, rows)
+                wrong.append(f"{name} at {times[k]:.9g}: {value:.12g} ± {bound:.1e}, right {assessed[k]:.12g} ({difference / scale if scale else 0:.1e} of its largest)")
+    wrong += assess_events(right, rows)
     if any(row.get("certificate") and row["certificate"].get("admissible") is False for row in rows):
         wrong.append("a row is not admissible and yet given out")
     return wrong, compared
@@ -260,9 +260,9 @@ def of_edge(scene, depth, radius):
     return np.where(radius > 0.0, np.minimum(np.max(np.abs(depth)) / np.maximum(slope, 1e-300), np.max(radius) / max(ROUNDING, 1e-9)), 0.0)
 
 
-def judge_events(right, rows):
+def assess_events(right, rows):
     wrong, end = [], right["end"]
-    # Where a load is found again the judge knows whether it touches no better than its collocation: a loss at once made good is none.
+    # Where a load is found again the reference knows whether it touches no better than its collocation: a loss at once made good is none.
     events = [(of, t) for of, t in right["events"]]
     chatter = {k for k, (one, other) in enumerate(zip(events, events[1:])) if one[0] == "end" and other[0] == "begin" and right["own"] >= 1e-9 and other[1] - one[1] <= 1e-8 * end}
     events = [event for k, event in enumerate(events) if k not in chatter and (k - 1) not in chatter]
@@ -288,7 +288,7 @@ def first_line(message):
 
 
 def stored(seed, number, truths):
-    """The scene and what is right of it; kept in a folder, if there is one (empty it when the judge changes)."""
+    """The scene and what is right of it; kept in a folder, if there is one (empty it when the reference changes)."""
     scene = Draw(seed, number).scene()
     if truths == BLUNT:
         return scene, blunt_truth(scene)
@@ -315,10 +315,10 @@ def one(task):
     try:
         scene, right = stored(seed, number, truths)
     except NotImplementedError as error:
-        result["skipped"] = f"the judge does not treat {error}"
+        result["skipped"] = f"the reference does not treat {error}"
         return result
     except Exception as error:  # noqa: BLE001
-        result["skipped"] = f"the judge failed: {type(error).__name__} {error} {traceback.format_exc().splitlines()[-3].strip()}"
+        result["skipped"] = f"the reference failed: {type(error).__name__} {error} {traceback.format_exc().splitlines()[-3].strip()}"
         return result
     result["seconds"][1] = time.process_time() - started
     result["kind"] = scene["kind"]
@@ -330,7 +330,7 @@ def one(task):
     if summary is None:
         result["wrong"], result["class"] = [f"no end within {LIMIT} s of the processor"], "endless"
     else:
-        result["wrong"], result["compared"] = judge(scene, right, summary, code, message)
+        result["wrong"], result["compared"] = assess(scene, right, summary, code, message)
         if result["wrong"] and truths == BLUNT:
             settle(scene, summary, code, message, result)
         result["class"] = "refused" if result["wrong"] and not result["compared"] else ("wrong" if result["wrong"] else "right")
@@ -342,7 +342,7 @@ def one(task):
 def settle(scene, summary, code, message, result):
     """Where the bed of springs disagrees, times of equal radius decide: they share nothing with it and have all digits."""
     try:
-        wrong, compared = judge(scene, truth(scene), summary, code, message)
+        wrong, compared = assess(scene, truth(scene), summary, code, message)
     except Exception as error:  # noqa: BLE001
         result["wrong"].append(f"not settled: {type(error).__name__} {error}")
         return
@@ -370,13 +370,13 @@ def report(results, seconds):
     done = [r for r in results if not r["skipped"]]
     classes = collections.Counter(r["class"] for r in done)
     values = [c for r in done for c in r["compared"]]
-    lines.append(f"{len(results)} scenes, {len(done)} judged, {len(values)} values: " + ", ".join(f"{classes[c]} {c}" for c in ("right", "wrong", "refused", "endless")))
+    lines.append(f"{len(results)} scenes, {len(done)} assessed, {len(values)} values: " + ", ".join(f"{classes[c]} {c}" for c in ("right", "wrong", "refused", "endless")))
     settled = [f"{r['seed']}:{r['number']}" for r in done if r.get("settled")]
     if settled:
         lines.append(f"  of the right ones {len(settled)} against the bed of springs, by times of equal radius: {' '.join(settled)}")
     skipped = collections.Counter(r["skipped"][:90] for r in results if r["skipped"])
     for why, count in skipped.most_common(12):
-        lines.append(f"  not judged {count}: {why}")
+        lines.append(f"  not assessed {count}: {why}")
     ratios = [b / d for _, b, d, s in values if d > 0.0 and d > 1e-12 * s]
     exact = sum(1 for _, b, d, s in values if d <= 1e-12 * s)
     lines.append(f"bound over error: median {percentile(ratios, 50):.3g}, 95th percentile {percentile(ratios, 95):.3g} of {len(ratios)} values; {exact} agree to 1e-12")
@@ -386,7 +386,7 @@ def report(results, seconds):
             table[str(r["kind"].get(key))][r["class"]] += 1
         lines.append(f"{key}: " + "; ".join(f"{word} {sum(c.values())} ({', '.join(f'{n} {k}' for k, n in c.items() if k != 'right') or 'all right'})" for word, c in sorted(table.items())))
     times = np.array([r["seconds"] for r in results]) if results else np.zeros((1, 2))
-    lines.append(f"seconds a scene: program {times[:, 0].mean():.3f}, judge {times[:, 1].mean():.3f} (median {np.median(times[:, 1]):.3f}, largest {times[:, 1].max():.2f}); {seconds:.0f} s in all")
+    lines.append(f"seconds a scene: program {times[:, 0].mean():.3f}, reference {times[:, 1].mean():.3f} (median {np.median(times[:, 1]):.3f}, largest {times[:, 1].max():.2f}); {seconds:.0f} s in all")
     return "\n".join(lines), sum(classes[c] for c in ("wrong", "refused", "endless")) + sum(skipped.values())
 
 
@@ -412,9 +412,9 @@ def show(seed, number, binary, truths):
     if summary is None:
         return
     detail = []
-    wrong, _ = judge(scene, right, summary, code, message, detail)
-    for name, t, value, bound, judged, difference, allowed in detail:
-        print(f"{'   ' if difference <= allowed else '!! '}{name:18} t={t:<14.8g} {value:<22.14g} ± {bound:<9.1e} judge {judged:<22.14g} off {difference:.1e}")
+    wrong, _ = assess(scene, right, summary, code, message, detail)
+    for name, t, value, bound, assessed, difference, allowed in detail:
+        print(f"{'   ' if difference <= allowed else '!! '}{name:18} t={t:<14.8g} {value:<22.14g} ± {bound:<9.1e} reference {assessed:<22.14g} off {difference:.1e}")
     print("events", right["events"])
     print(*wrong, sep="\n")
 
@@ -429,8 +429,8 @@ def main():
     parser.add_argument("--save")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--limit", type=int, default=LIMIT, help="seconds of a run")
-    parser.add_argument("--springs", action="store_const", const=BLUNT, dest="truths", help="the bed of springs judges: milliseconds, three digits")
-    parser.add_argument("--truths", help="a folder that keeps what is right: scenes are judged anew only where it is not there")
+    parser.add_argument("--springs", action="store_const", const=BLUNT, dest="truths", help="the bed of springs is the reference: milliseconds, three digits")
+    parser.add_argument("--truths", help="a folder that keeps what is right: scenes are assessed anew only where it is not there")
     parser.add_argument("--no-runs", action="store_true", help="fill that folder, run no scene")
     parser.add_argument("--only", type=int, nargs=2, metavar=("SEED", "NUMBER"))
     options = parser.parse_args()

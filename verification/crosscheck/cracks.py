@@ -3,7 +3,7 @@
 import math
 from decimal import Decimal
 
-from values import EPS, Value, made_apart, relative, rows
+from values import EPS, Value, made_independently, relative, rows
 
 TARGET = 1e-12
 
@@ -52,7 +52,7 @@ def steady(harness, solids):
             signed = -slope if row["motion"] == "closing" and slope > 0.0 else slope
             reference = reference * (1 + Decimal(signed) * Decimal(moved))
             condition += abs(exponent)
-        common = dict(state=row["case"], independent=made_apart(row))
+        common = dict(state=row["case"], independent=made_independently(row))
         text = f"{reference:.34e}" if scale is None and condition != 1.0 else row["value"]
         if scale is None:
             yield relative("cracks", "steady_crack.csv", place, quantity, value, text, TARGET, condition, **common)
@@ -71,14 +71,14 @@ def delayed(harness, solids):
             value = delay[0] if quantity == "delay" else speed[0] / zone
             bar = (delay[1] / delay[0]) if quantity == "delay" else speed[1] / speed[0]
             yield relative("cracks", "delayed_fracture.csv", row["case"], quantity, value, row["value"], TARGET, max(1.0, bar / EPS), state=row["case"],
-                           independent=made_apart(row))
+                           independent=made_independently(row))
         elif quantity == "time_at":
             found = harness.delayed_trajectory(material, work, "constant", [zone], [intensity], [float(row["value"])], reference=intensity,
                                                lines_per_zone=2048)
             # The place is exact; the time is its reference. Convergence is algebraic: 1e-10.
             place = float(row["place"])
             yield Value("cracks, late", "delayed_fracture.csv", f"{row['case']} {row['place']}", "place_at", found["growth"][0] / zone, row["place"], place,
-                        1e-10, 1e-12, state=row["case"], independent=made_apart(row))
+                        1e-10, 1e-12, state=row["case"], independent=made_independently(row))
 
 
 def stepped(harness, solids):
@@ -93,7 +93,7 @@ def stepped(harness, solids):
                                            [float(row["time"]) for row in own], reference=last, lines_per_zone=128)
         for row, growth in zip(own, found["growth"]):
             yield Value("cracks, stepped", file, f"{case} {row['time']}", "place", growth / zone, row["place"], 1.0, 1e-4, 1e-9, state=case,
-                        independent=made_apart(row))
+                        independent=made_independently(row))
 
 
 def values(harness):

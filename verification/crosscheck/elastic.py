@@ -2,7 +2,7 @@
 
 import math
 
-from values import EPS, Value, made_apart, relative, rows
+from values import EPS, Value, made_independently, relative, rows
 
 
 def values(harness):
@@ -30,4 +30,4 @@ def values(harness):
             value = {"pressure": found[2], "penetration": found[3], "half_width": found[0][0]}[name]
             bar = 0.0
         # Next to a fold the last bit of what is imposed moves the contact: the solver says by how much at most, and that is the target there.
-        yield relative("elastic", file, place, asked, value, row["value"], max(1e-13, bar / abs(value)), state=place, independent=made_apart(row))
+        yield relative("elastic", file, place, asked, value, row["value"], max(1e-13, bar / abs(value)), state=place, independent=made_independently(row))

@@ -27,7 +27,7 @@ BETTER = 0.5
 
 
 @dataclass
-class Verdict:
+class Assessment:
     worse: list = field(default_factory=list)       # (value, budget)
     unguarded: list = field(default_factory=list)   # values without a row
     gone: list = field(default_factory=list)        # rows without a value
@@ -61,8 +61,8 @@ def read(path=TABLE):
     return {(row["file"], row["row"], row["quantity"]): row for row in table}, remarks
 
 
-def judge(values, table):
-    verdict = Verdict()
+def assess(values, table):
+    assessment = Assessment()
     seen = set()
     for value in values:
         if value.key in seen:
@@ -70,15 +70,15 @@ def judge(values, table):
         seen.add(value.key)
         row = table.get(value.key)
         if row is None:
-            verdict.unguarded.append(value)
+            assessment.unguarded.append(value)
             continue
         budget = float(row["budget"])
         if not value.error <= budget:       # NaN is worse
-            verdict.worse.append((value, budget))
+            assessment.worse.append((value, budget))
         elif budget_of(value) < BETTER * budget:
-            verdict.better.append((value, budget_of(value)))
-    verdict.gone = [row for key, row in table.items() if key not in seen]
-    return verdict
+            assessment.better.append((value, budget_of(value)))
+    assessment.gone = [row for key, row in table.items() if key not in seen]
+    return assessment
 
 
 def recorded(values, table, worse):
@@ -109,22 +109,22 @@ def write(table, remarks, path=TABLE):
 def run(values, arguments, path=TABLE):
     """The command on given values: (exit code, lines to print)."""
     table, remarks = read(path)
-    verdict = judge(values, table)
-    lines = [line for line in verdict.sentences() if not (arguments.record and "no row in the ratchet" in line)]
+    assessment = assess(values, table)
+    lines = [line for line in assessment.sentences() if not (arguments.record and "no row in the ratchet" in line)]
     late = [f"{v.file}: {v.row} {v.quantity}: error {v.error:.2e} misses its target {v.target:.0e}" for v in values if not v.error <= v.target]
     lines += late
     if not arguments.record:
-        counts = f"{len(values)} values, {len(verdict.worse)} worse, {len(verdict.better)} better, {len(verdict.unguarded)} unguarded, {len(verdict.gone)} gone"
-        return (0 if verdict.passes and not late else 1), [*lines, counts]
+        counts = f"{len(values)} values, {len(assessment.worse)} worse, {len(assessment.better)} better, {len(assessment.unguarded)} unguarded, {len(assessment.gone)} gone"
+        return (0 if assessment.passes and not late else 1), [*lines, counts]
     if late:
         return 1, lines + ["nothing was recorded: a value misses its target"]
-    if (verdict.worse or verdict.gone) and not arguments.worse:
+    if (assessment.worse or assessment.gone) and not arguments.worse:
         return 1, lines + ["nothing was recorded: say --worse WHY to record a worsening or a loss"]
-    if verdict.worse or verdict.gone:
-        remarks = remarks + [f"# {len(verdict.worse)} worse, {len(verdict.gone)} gone: {arguments.worse}\n"]
+    if assessment.worse or assessment.gone:
+        remarks = remarks + [f"# {len(assessment.worse)} worse, {len(assessment.gone)} gone: {arguments.worse}\n"]
     write(recorded(values, table, bool(arguments.worse)), remarks, path)
-    return 0, lines + [f"recorded {len(values)} values: {len(verdict.unguarded)} new, {len(verdict.better)} better, {len(verdict.worse)} worse, "
-                       f"{len(verdict.gone)} gone"]
+    return 0, lines + [f"recorded {len(values)} values: {len(assessment.unguarded)} new, {len(assessment.better)} better, {len(assessment.worse)} worse, "
+                       f"{len(assessment.gone)} gone"]
 
 
 def parsed(words=None):

@@ -77,7 +77,7 @@ def layers(harness):
 
 
 def series(harness):
-    """Each converted term against its own error bar's scale: a term that a last digit of the input moves is judged by that."""
+    """Each converted term against its own error bound's scale: a term that a last digit of the input moves is assessed by that."""
     table = rows("material_conversion.csv")
     for name in dict.fromkeys(row["material"] for row in table):
         own = [row for row in table if row["material"] == name]

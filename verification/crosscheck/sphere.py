@@ -1,6 +1,6 @@
 """The sphere: dense annuli on the raw equation; the closure in real space; Lee-Radok and Ting; passing times."""
 
-from values import Value, floats, made_apart, relative, rows
+from values import Value, floats, made_independently, relative, rows
 
 PRESCRIBED, CLOSED = 1e-4, 1e-2
 
@@ -61,7 +61,7 @@ def closed(harness, file, case, own):
         last = time
     found = harness.indentation(material(harness, first["material"]), first["shape"], float(first["size"]), first["start"], "penetration", begin, segments,
                                 work_of_adhesion=float(first["work"]), process_zone=float(first["zone"]), accuracy=1e-7)
-    # Instants: the start, then the end of each stretch.
+    # Instants: the start, then the end of each segment.
     for row in asked:
         index = 1 + skipped + times.index(float(row["time"]))
         yield Value("sphere, closed loop", file, f"{case} {row['instant']}", row["quantity"], float(found[row["quantity"]][index]), row["value"],
@@ -103,7 +103,7 @@ def line(harness):
             a, value = state[0], state[0] if row["quantity"] == "contact_radius" else state[2]
             depth = harness.line_profile(given["shape"], float(given["size"]), a)[0]
             scale = a if row["quantity"] == "contact_radius" else numbers[0] * a * depth
-            yield Value("sphere line", file, row["inputs"], row["quantity"], value, row["value"], scale, 1e-10, 1e-12, state=row["inputs"], independent=made_apart(row))
+            yield Value("sphere line", file, row["inputs"], row["quantity"], value, row["value"], scale, 1e-10, 1e-12, state=row["inputs"], independent=made_independently(row))
     for row in rows("indentation_shape.csv"):
         points = [number for pair in row["points"].split(";") for number in floats(pair, ",")]
         value = harness.line_profile("table", points, float(row["place"]))[0]

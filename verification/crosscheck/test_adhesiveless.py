@@ -82,7 +82,7 @@ def test_random_scenes(binary, need):
     assert sum(len(r["compared"]) for r in results) > 2000, text
 
 
-def test_the_two_judges_agree(need):
+def test_the_two_references_agree(need):
     """A bed of springs that follows no edge, and times of equal radius: they share no step."""
     for module in ("numpy", "scipy", "mpmath"):
         need(module)

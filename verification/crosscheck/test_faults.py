@@ -13,7 +13,7 @@ import fault_list
 
 
 def test_every_fault_fits_the_source_and_names_a_check():
-    wrong = list(fault_list.complaints())
+    wrong = list(fault_list.failures())
     assert not wrong, "\n".join(wrong)
 
 

@@ -23,8 +23,8 @@ CLOSED = 1e-3
 def live(need):
     """{(case, instant, quantity, place): [value on each mesh]} of the reduced run, in a process of its own."""
     need("dolfinx")
-    script = ("import sys; sys.path.insert(0, sys.argv[1]); import run; cases, march, _ = run.modules()\n"
-              "for row in run.reduced(cases, march): print(row['case'], row['instant'], row['quantity'], row['place'], row['by_mesh'], sep='|')")
+    script = ("import sys; sys.path.insert(0, sys.argv[1]); import run; cases, integration, _ = run.modules()\n"
+              "for row in run.reduced(cases, integration): print(row['case'], row['instant'], row['quantity'], row['place'], row['by_mesh'], sep='|')")
     environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
     done = subprocess.run([sys.executable, "-c", script, tools.FENICSX], capture_output=True, text=True, timeout=600, env=environment, check=False)
     assert done.returncode == 0, done.stderr[-2000:]

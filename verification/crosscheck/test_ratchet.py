@@ -86,5 +86,5 @@ def test_a_true_value_made_worse_is_caught(everything):
         one = everything[index]
         budget = max(float(table[one.key]["budget"]), 1e-15)
         moved = dataclasses.replace(one, value=one.value + 100.0 * budget * one.scale)
-        verdict = ratchet.judge(everything[:index] + [moved] + everything[index + 1:], table)
-        assert [v.key for v, _ in verdict.worse] == [one.key]
+        assessment = ratchet.assess(everything[:index] + [moved] + everything[index + 1:], table)
+        assert [v.key for v, _ in assessment.worse] == [one.key]

@@ -22,9 +22,9 @@ def test_every_value_is_within_its_target(everything):
 
 def test_no_error_outgrew_its_budget(everything):
     table, _ = ratchet.read()
-    verdict = ratchet.judge(everything, table)
-    tools.SUMMARY.append(f"ratchet: {len(everything)} values, {len(verdict.worse)} worse, {len(verdict.better)} better than recorded")
-    assert verdict.passes, "\n".join(verdict.sentences())
+    assessment = ratchet.assess(everything, table)
+    tools.SUMMARY.append(f"ratchet: {len(everything)} values, {len(assessment.worse)} worse, {len(assessment.better)} better than recorded")
+    assert assessment.passes, "\n".join(assessment.sentences())
 
 
 def test_enough_values_are_read_tightly(everything):

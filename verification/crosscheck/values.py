@@ -1,4 +1,4 @@
-"""What a comparison is: a value of the solver, a value of a reference, and on what scale they are judged.
+"""What a comparison is: a value of the solver, a value of a reference, and on what scale they are assessed.
 
 error      |value - reference|/scale, the difference taken exactly in decimals, so that 32-digit references lose nothing
 target     the error that the group promises; none where the reference serves another purpose
@@ -23,7 +23,7 @@ DATA = os.path.join(ROOT, "reference_data")
 class Value:
     group: str          # special, cracks, sliding, sphere, ...
     file: str
-    row: str            # what tells the row apart in its file
+    row: str            # what distinguishes the row in its file
     quantity: str
     value: float
     reference: str      # the decimal of the file, or its product with an exact factor
@@ -45,7 +45,7 @@ class Value:
 
 
 def relative(group, file, row, quantity, value, reference, target, condition=1.0, **more):
-    """A value judged against itself: the usual case."""
+    """A value assessed against itself: the usual case."""
     size = abs(float(Decimal(reference)))
     return Value(group, file, row, quantity, float(value), reference, size if size > 0.0 else 1.0, target, 4.0 * EPS * condition, **more)
 
@@ -63,7 +63,7 @@ def rows(name):
     return list(csv.DictReader(io.StringIO(body)))
 
 
-def made_apart(row):
+def made_independently(row):
     """Whether the file says that the value shares no reduction with the solver."""
     return row["independence"] == "independent"
 

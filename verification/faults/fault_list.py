@@ -34,7 +34,7 @@ class Fault:
 
     @property
     def hash(self):
-        """Of all that decides the verdict."""
+        """Of all that decides the result."""
         parts = (self.file, self.find, self.replace, self.test, self.filter)
         return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
 
@@ -54,7 +54,7 @@ def test_of(fault, root=ROOT):
     return fault.file if fault.test == "lib" else f"tests/{fault.test}.rs"
 
 
-def complaints(root=ROOT):
+def failures(root=ROOT):
     """What is wrong with the list, sentence by sentence."""
     everything, names = faults(), set()
     if len(everything) < LEAST:

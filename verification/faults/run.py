@@ -24,7 +24,7 @@ import time
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from fault_list import CAUGHT, COLUMNS, ROOT, complaints, faults, recorded, text_of
+from fault_list import CAUGHT, COLUMNS, ROOT, failures, faults, recorded, text_of
 
 BASE = os.path.realpath(os.path.join(ROOT, "target", "faults"))
 TREE, BUILD, PASSED, WRAPPER = (os.path.join(BASE, name) for name in ("tree", "build", "passed", "rustc"))
@@ -56,7 +56,7 @@ def copied():
 
 
 def run_check(test, name):
-    """(verdict, what was said, seconds) of one test in the copy."""
+    """(result, what was said, seconds) of one test in the copy."""
     group, _, file = test.partition("/")
     where = ["--lib"] if test == "lib" else ["--test", group]
     command = ["cargo", "test", "--release", "--locked", "--no-default-features", *where, "--", name if test == "lib" else f"{file}::{name}"]
@@ -102,12 +102,12 @@ def passes_unharmed(test, name):
         with open(PASSED, encoding="utf-8") as file:
             if line in file.read().splitlines():
                 return True
-    verdict, said, seconds = run_check(test, name)
-    print(f"{test}::{name}: {verdict} ({seconds:.0f} s) {said if verdict != 'passes' else ''}".rstrip(), flush=True)
-    if verdict == "passes":
+    result, said, seconds = run_check(test, name)
+    print(f"{test}::{name}: {result} ({seconds:.0f} s) {said if result != 'passes' else ''}".rstrip(), flush=True)
+    if result == "passes":
         with open(PASSED, "a", encoding="utf-8") as file:
             file.write(line + "\n")
-    return verdict == "passes"
+    return result == "passes"
 
 
 def first(pattern, text):
@@ -148,7 +148,7 @@ def main():
     parser.add_argument("--list", action="store_true", help="say what there is and end")
     arguments = parser.parse_args()
     everything = faults()
-    wrong = list(complaints())
+    wrong = list(failures())
     if wrong:
         sys.exit("\n".join(wrong))
     unknown = set(arguments.name) - {fault.name for fault in everything}
@@ -178,12 +178,12 @@ def main():
         source = text_of(fault.file, TREE)
         written(fault.file, source.replace(fault.find, fault.replace))
         try:
-            verdict, said, seconds = run_check(fault.test, fault.filter)
+            result, said, seconds = run_check(fault.test, fault.filter)
         finally:
             written(fault.file, source)
-        verdict = "caught" if verdict == "fails" else f"SURVIVED: the check {verdict}"
-        print(f"{count}/{len(chosen)} {fault.name:40} {verdict:8} {seconds:5.0f} s  {said}", flush=True)
-        if verdict == "caught":
+        result = "caught" if result == "fails" else f"SURVIVED: the check {result}"
+        print(f"{count}/{len(chosen)} {fault.name:40} {result:8} {seconds:5.0f} s  {said}", flush=True)
+        if result == "caught":
             record(dict(zip(COLUMNS, [fault.name, fault.solver, fault.file, fault.check, said, f"{seconds:.0f}", version, today, fault.hash])))
         else:
             survivors.append(fault.name)

@@ -130,7 +130,7 @@ def main():
     for case, corners in ((first, (0.12, 0.168, 0.18, 0.16, 0.14, 0.12)), (second, (0.12, 0.18, 0.16, 0.12))):
         rows += table(case, lambda index, radius, corners=corners: index > 0 and any(abs(radius - c) < 1e-9 for c in corners))
     write("fenicsx_cycle.csv", "/usr/bin/python3 verification/fenicsx/cycle.py", "adhesive cycles of the solver, imposed on finite elements; inputs", COLUMNS, rows,
-          precision="double, marches at 1e-8", tool="viscotack harness")
+          precision="double, integrations at 1e-8", tool="viscotack harness")
 
 
 if __name__ == "__main__":

@@ -49,8 +49,8 @@ def modules():
     except ImportError:
         sys.exit("run.py needs dolfinx (Debian: apt-get install python3-dolfinx)")
     import cases
-    import march
-    return cases, march, f"dolfinx {dolfinx.__version__}, generator version 1.0.0"
+    import integration
+    return cases, integration, f"dolfinx {dolfinx.__version__}, generator version 1.0.0"
 
 
 def material_text(solid):
@@ -112,22 +112,22 @@ def common_of(kind, name, solid, start, path, zone, shape="paraboloid", size=1.0
             "size": double(size), "start": start, "path": path_text(path), "zone": double(zone) if zone else ""}
 
 
-def of_histories(cases, march):
+def of_histories(cases, integration):
     for case in [*cases.histories(), *cycles(cases)]:
         begun = clock.time()
-        meshes = [march.history(case, refinement) for refinement in REFINEMENTS]
+        meshes = [integration.history(case, refinement) for refinement in REFINEMENTS]
         print(f"{case.name}: {clock.time() - begun:.1f} s", flush=True)
         yield from rows_of_meshes(common_of(case.kind, case.name, case.solid, case.start, case.path, case.zone), meshes)
 
 
-def of_punches(cases, march):
+def of_punches(cases, integration):
     radius, depth = cases.PUNCH_RADIUS, cases.PUNCH_DEPTH
     for name, solid in cases.punches():
         steps = []
-        body, candidates = march.graded_body(solid, radius, *march.PUNCH)
+        body, candidates = integration.graded_body(solid, radius, *integration.PUNCH)
         for count in STEPS:
-            steps.append(march.punch(solid, body, candidates, count))
-        coarse = [march.punch(solid, *march.graded_body(solid, radius, *mesh), STEPS[-1]) for mesh in ((1e-3, 2.0, 2), (1e-4, 2.0, 3))]
+            steps.append(integration.punch(solid, body, candidates, count))
+        coarse = [integration.punch(solid, *integration.graded_body(solid, radius, *mesh), STEPS[-1]) for mesh in ((1e-3, 2.0, 2), (1e-4, 2.0, 3))]
         path = [(radius, depth, 0.0)] + [(radius, depth, b - a) for a, b in zip((0.0, *cases.PUNCH_TIMES), cases.PUNCH_TIMES)]
         common = common_of("punch", name, solid, "untouched", path, None, "flat_punch", radius)
         largest = {}
@@ -143,13 +143,13 @@ def of_punches(cases, march):
         print(name, flush=True)
 
 
-def of_edges(cases, march):
-    fineness = ((1e-4, 1.5, 2), (1e-4, 1.5, 3), (march.SMALL, march.SMALL_RATIO, march.SMALL_DEGREE))
+def of_edges(cases, integration):
+    fineness = ((1e-4, 1.5, 2), (1e-4, 1.5, 3), (integration.SMALL, integration.SMALL_RATIO, integration.SMALL_DEGREE))
     for name, solid, radius, penetration in cases.states():
-        found = [march.elastic_state(solid, radius, penetration, *mesh) for mesh in fineness]
+        found = [integration.elastic_state(solid, radius, penetration, *mesh) for mesh in fineness]
         yield from methods(common_of("elastic", name, solid, "untouched", [(radius, penetration, 0.0)], None), found, lambda raw: (raw[2], abs(raw[2] - raw[1])))
     for name, solid, radius, drawn, size in cases.increments():
-        found = [march.increment(solid, radius, drawn, size, refinement) for refinement in REFINEMENTS]
+        found = [integration.increment(solid, radius, drawn, size, refinement) for refinement in REFINEMENTS]
         path = [(radius, drawn[0], 0.0), (radius, drawn[1], drawn[2]), (radius, drawn[1] + size, 0.0)]
         yield from methods(common_of("increment", name, solid, "relaxed", path, None), found, in_space)
     print("edges", flush=True)
@@ -178,11 +178,11 @@ def compare(stored, fresh, keys):
     return wrong
 
 
-def reduced(cases, march):
+def reduced(cases, integration):
     """Two meshes of two histories, raw values only."""
     for case in cases.histories():
         if case.name in cases.REDUCED:
-            meshes = [march.history(case, refinement) for refinement in REFINEMENTS[:2]]
+            meshes = [integration.history(case, refinement) for refinement in REFINEMENTS[:2]]
             for key in meshes[-1]:
                 yield {"kind": case.kind, "case": case.name, "instant": key[0], "quantity": key[1], "place": key[2],
                        "by_mesh": " ".join(f"{mesh[key]:.9e}" for mesh in meshes)}
@@ -191,11 +191,11 @@ def reduced(cases, march):
 def main():
     options = arguments(__doc__.splitlines()[0])
     start = clock.time()
-    cases, march, tool = modules()
+    cases, integration, tool = modules()
     keys = ["kind", "case", "instant", "quantity", "place"]
     if options.reduced:
-        finish(compare(read(FILE), list(reduced(cases, march)), keys), start, "fenicsx, reduced")
-    rows = [*of_histories(cases, march), *of_punches(cases, march), *of_edges(cases, march)]
+        finish(compare(read(FILE), list(reduced(cases, integration)), keys), start, "fenicsx, reduced")
+    rows = [*of_histories(cases, integration), *of_punches(cases, integration), *of_edges(cases, integration)]
     if options.check:
         finish(compare(read(FILE), rows, keys), start, "fenicsx")
     write(FILE, COMMAND, "viscoelastic half-space in finite elements; columns in the opening of the script", COLUMNS, rows,

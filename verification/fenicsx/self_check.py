@@ -18,7 +18,7 @@ import ufl
 from dolfinx import fem
 
 import cases
-import march
+import integration
 import mesh
 from contact import Contact
 from halfspace import HalfSpace, contracted, deviator, strain
@@ -28,8 +28,8 @@ from maxwell import creep_of_half_space, plane_modulus
 def memory():
     """Largest difference of the residual of a history: stress at the points, stepped by their own law, against the fields."""
     solid = cases.ELASTIC_BULK_TWO
-    body, candidates = march.graded_body(solid, 0.2, 1e-3, 2.0, 2)
-    contact = Contact(body, solid, march.sphere, candidates)
+    body, candidates = integration.graded_body(solid, 0.2, 1e-3, 2.0, 2)
+    contact = Contact(body, solid, integration.sphere, candidates)
     contact.step(0.2, 0.01, 0.0)
     x, v = ufl.SpatialCoordinate(body.mesh), ufl.TestFunction(body.space)
     degree = 2 * body.degree + 2

@@ -26,7 +26,7 @@ import dolfinx
 
 import cases
 import elements
-import march
+import integration
 import run
 import tools
 from common import read
@@ -54,22 +54,22 @@ def rows(harness):
     last = stored[case.name, "2", "force"]
     found, _ = elements.followed(harness, last, [last])
     exact, scale = float(found["force"][1]), float(last["scale"])
-    march.history(case, 1)          # forms compiled
+    integration.history(case, 1)          # forms compiled
     raw, spent = [], []
     for refinement in run.REFINEMENTS:
-        result, seconds = timed(lambda refinement=refinement: march.history(case, refinement))
+        result, seconds = timed(lambda refinement=refinement: integration.history(case, refinement))
         raw.append(result[2, "force", ""])
         spent.append(seconds)
-        yield "sphere", f"P{march.DEGREE}, {3 * refinement} elements a zone", abs(raw[-1] - exact) / scale, seconds
+        yield "sphere", f"P{integration.DEGREE}, {3 * refinement} elements a zone", abs(raw[-1] - exact) / scale, seconds
     yield "sphere", "extrapolated, two meshes", abs(2.0 * raw[1] - raw[0] - exact) / scale, sum(spent[:2])
     yield "sphere", "extrapolated, three meshes", abs(run.in_space(raw)[0] - exact) / scale, sum(spent)
     last = stored["punch, elastic bulk", "2", "force"]
     found, _ = elements.followed(harness, last, [last])
     exact, scale = float(found["force"][2]), float(last["scale"])
-    for smallest, ratio, degree, steps in ((1e-3, 2.0, 2, 4), (1e-4, 2.0, 3, 8), (*march.PUNCH, 16)):
+    for smallest, ratio, degree, steps in ((1e-3, 2.0, 2, 4), (1e-4, 2.0, 3, 8), (*integration.PUNCH, 16)):
         def solved():
-            body, candidates = march.graded_body(cases.ELASTIC_BULK, cases.PUNCH_RADIUS, smallest, ratio, degree)
-            return march.punch(cases.ELASTIC_BULK, body, candidates, steps)[2, "force", ""]
+            body, candidates = integration.graded_body(cases.ELASTIC_BULK, cases.PUNCH_RADIUS, smallest, ratio, degree)
+            return integration.punch(cases.ELASTIC_BULK, body, candidates, steps)[2, "force", ""]
 
         value, seconds = timed(solved)
         yield "punch", f"P{degree}, {steps} steps an octave", abs(value - exact) / scale, seconds

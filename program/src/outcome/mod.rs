@@ -94,7 +94,7 @@ pub struct Outcome {
     pub figures: Vec<(String, plot::Figure)>,
     /// Which pictures are drawn of them.
     pub pictures: Pictures,
-    /// What the labels of the rows are: the first tells the rows of one state apart.
+    /// What the labels of the rows are: the first distinguishes the rows of one state.
     pub labels: &'static [&'static str],
     /// What the field table holds: the place, then the fields.
     pub field_columns: Vec<Column>,
@@ -145,21 +145,23 @@ pub struct Validity {
     /// The worst value over all rows.
     pub value: Option<f64>,
     /// Whether the assumption holds.
-    pub verdict: Verdict,
+    #[serde(rename = "verdict")]
+    pub assessment: Assessment,
     /// What it means.
     pub meaning: String,
 }
 
-/// The verdict on an assumption.
+/// What is found of an assumption.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Verdict {
+pub enum Assessment {
     /// It holds.
     Good,
-    /// It is doubtful: read the sentence.
+    /// It may fail: read the sentence.
     Caution,
-    /// It cannot be judged from the scene.
-    NotJudged,
+    /// It cannot be assessed from the scene.
+    #[serde(rename = "not_judged")]
+    NotAssessed,
 }
 
 impl Outcome {

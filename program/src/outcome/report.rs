@@ -2,7 +2,7 @@
 
 use super::page::{closed, escaped, opened};
 use super::shown_units::in_unit;
-use super::{Outcome, Row, Status, Verdict, screen};
+use super::{Assessment, Outcome, Row, Status, screen};
 use crate::terminal_text;
 use std::fmt::Write as _;
 
@@ -177,10 +177,10 @@ fn validity(text: &mut String, outcome: &Outcome) {
     }
     text.push_str("<h2>Whether the model holds</h2>\n<p>Error bounds say how well the equations are solved. These lines say whether the equations fit the case.</p>\n<ul class=\"checks\">\n");
     for entry in &outcome.validity {
-        let class = match entry.verdict {
-            Verdict::Good => "passed",
-            Verdict::Caution => "stated",
-            Verdict::NotJudged => "unknown",
+        let class = match entry.assessment {
+            Assessment::Good => "passed",
+            Assessment::Caution => "stated",
+            Assessment::NotAssessed => "unknown",
         };
         let value = entry.value.map_or_else(String::new, |value| format!(" = {value:.2e}"));
         let _ = writeln!(text, "<li class=\"{class}\"><b>{}</b>{value}: {}</li>", escaped(&entry.name), escaped(&entry.meaning));

@@ -145,7 +145,7 @@ pub struct Row {
     pub state: usize,
     /// Values of the swept numbers, in the order of the sweeps.
     pub swept: Vec<f64>,
-    /// Words about it, in the order of the outcome's labels: the first tells the rows of one state apart. None for [`Status::Invalid`] states.
+    /// Words about it, in the order of the outcome's labels: the first distinguishes the rows of one state. None for [`Status::Invalid`] states.
     pub labels: Vec<String>,
     /// How it ended.
     pub status: Status,
@@ -160,7 +160,7 @@ pub struct Row {
     pub certificate: Option<Certificate>,
     /// What it took.
     pub work: Work,
-    /// The numbers that the validity of the model is judged by, in the order of the plan's assumptions; none where one does not apply.
+    /// The numbers that the validity of the model is assessed by, in the order of the plan's assumptions; none where one does not apply.
     pub assumptions: Vec<Option<f64>>,
     /// Fields, if asked for.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

@@ -2,7 +2,7 @@
 
 use super::shown_units::in_unit;
 use super::tally::Known;
-use super::{Outcome, Row, Status, Verdict};
+use super::{Assessment, Outcome, Row, Status};
 use std::fmt::Write as _;
 use viscotack::estimate::Estimate;
 
@@ -246,10 +246,10 @@ fn effects(text: &mut String, outcome: &Outcome) {
 fn validity(text: &mut String, outcome: &Outcome) {
     let _ = writeln!(text, "\nvalidity of the model (error bounds say nothing about it)");
     for entry in &outcome.validity {
-        let mark = match entry.verdict {
-            Verdict::Good => "good   ",
-            Verdict::Caution => "CAUTION",
-            Verdict::NotJudged => "unknown",
+        let mark = match entry.assessment {
+            Assessment::Good => "good   ",
+            Assessment::Caution => "CAUTION",
+            Assessment::NotAssessed => "unknown",
         };
         let value = entry.value.map_or_else(String::new, |value| format!(" = {value:.2e}"));
         let _ = writeln!(text, "  {mark}  {}{value}: {}", entry.name, entry.meaning);

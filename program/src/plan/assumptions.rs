@@ -1,6 +1,6 @@
-//! Where a model may be doubted: numbers formed for every row, and the verdict on the worst of them.
+//! Where a model may fail: numbers formed for every row, and the assessment of the worst of them.
 
-use crate::outcome::{Row, Validity, Verdict};
+use crate::outcome::{Assessment, Row, Validity};
 use crate::scene::typed::PoissonRatio;
 
 /// Which way an assumption fails.
@@ -10,16 +10,16 @@ pub(super) enum Limit {
     Above(f64),
 }
 
-/// One assumption of a model, judged by a number of every row.
+/// One assumption of a model, assessed by a number of every row.
 pub(super) struct Assumption {
     pub(super) name: &'static str,
     pub(super) limit: Limit,
     pub(super) meaning: &'static str,
 }
 
-/// The verdict on the worst number of each assumption; nothing on one that no row has a number for.
-pub(super) fn judged(assumptions: &[Assumption], rows: &[Row]) -> Vec<Validity> {
-    let verdict = |(index, assumption): (usize, &Assumption)| {
+/// The assessment of the worst number of each assumption; nothing on one that no row has a number for.
+pub(super) fn assessed(assumptions: &[Assumption], rows: &[Row]) -> Vec<Validity> {
+    let assessment = |(index, assumption): (usize, &Assumption)| {
         let values = rows.iter().filter_map(|row| row.assumptions.get(index).copied().flatten());
         let (worst, good) = match assumption.limit {
             Limit::Below(limit) => values.reduce(f64::max).map(|worst| (worst, worst < limit)),
@@ -28,20 +28,20 @@ pub(super) fn judged(assumptions: &[Assumption], rows: &[Row]) -> Vec<Validity> 
         Some(Validity {
             name: assumption.name.into(),
             value: Some(worst),
-            verdict: if good { Verdict::Good } else { Verdict::Caution },
+            assessment: if good { Assessment::Good } else { Assessment::Caution },
             meaning: assumption.meaning.into(),
         })
     };
-    assumptions.iter().enumerate().filter_map(verdict).collect()
+    assumptions.iter().enumerate().filter_map(assessment).collect()
 }
 
 /// An assumption that the scene holds no number for.
-pub(super) fn not_judged(name: &str, value: Option<f64>, meaning: &str) -> Validity {
-    Validity { name: name.into(), value, verdict: Verdict::NotJudged, meaning: meaning.into() }
+pub(super) fn not_assessed(name: &str, value: Option<f64>, meaning: &str) -> Validity {
+    Validity { name: name.into(), value, assessment: Assessment::NotAssessed, meaning: meaning.into() }
 }
 
 /// The assumption of a constant Poisson ratio; none where it follows from the bulk modulus.
 pub(super) fn constant_poisson_ratio(ratio: PoissonRatio) -> Option<Validity> {
     let meaning = "assumed at all times; it rises by up to 0.1 from the glassy to the rubbery state";
-    (!matches!(ratio, PoissonRatio::Following(_))).then(|| not_judged("constant Poisson ratio", ratio.constant(), meaning))
+    (!matches!(ratio, PoissonRatio::Following(_))).then(|| not_assessed("constant Poisson ratio", ratio.constant(), meaning))
 }

@@ -5,10 +5,10 @@ use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line};
 use crate::scene::sweep::Sweep;
 use crate::scene::typed::Scene;
 
-/// Most curves that a legend can tell apart; further ones of an outer sweep are thinned evenly.
+/// Most curves that a legend can distinguish; further ones of an outer sweep are thinned evenly.
 const MOST_CURVES: usize = 10;
 
-/// A kind of row, told apart by its first label: a theory of a crack, a contact with or without adhesion.
+/// A kind of row, distinguished by its first label: a theory of a crack, a contact with or without adhesion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Kind {
     /// The label.
@@ -114,7 +114,7 @@ pub(super) fn say_what_bands_are(figure: &mut Figure) {
 
 /// The colour of one of so many curves in order.
 pub(super) fn shade(place: usize, of: usize) -> Colour {
-    // Two are told from each other more easily by two colours.
+    // Two are distinguished from each other more easily by two colours.
     if of > 2 { Colour::Sequence { place, of } } else { Colour::Index(place) }
 }
 

@@ -31,7 +31,7 @@ pub use path_curve::PathCurve;
 pub use run::{RunError, Safe, Sink, journal_header, run, run_planned, run_shard, swept_columns, unsolved};
 pub use state_watch::{Progress, Stage};
 
-use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Verdict, Work, plot};
+use crate::outcome::{Assessment, Column, Effect, Group, Layout, Row, Validity, Work, plot};
 use crate::scene::sweep::{self, Sweep};
 use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
@@ -206,7 +206,7 @@ impl Plan {
         self.problem.name()
     }
 
-    /// What the labels of the rows are: the first tells the rows of one state apart.
+    /// What the labels of the rows are: the first distinguishes the rows of one state.
     #[must_use]
     pub fn labels(&self) -> &'static [&'static str] {
         self.problem.labels()
@@ -371,18 +371,18 @@ impl Plan {
         validity.extend(self.unusual.iter().map(|text| Validity {
             name: "number of the scene".into(),
             value: None,
-            verdict: Verdict::Caution,
+            assessment: Assessment::Caution,
             meaning: text.clone(),
         }));
         validity.extend(propagate::validity(rows, &self.columns()));
         validity
     }
 
-    /// What is doubtful about the scene before it is solved, a sentence each.
+    /// What may be wrong with the scene before it is solved, a sentence each.
     #[must_use]
     pub fn cautions(&self) -> Vec<String> {
         let of_material = material::validity(&self.material, self.visited);
-        let cautions = of_material.into_iter().filter(|entry| entry.verdict == Verdict::Caution && entry.value.is_none());
+        let cautions = of_material.into_iter().filter(|entry| entry.assessment == Assessment::Caution && entry.value.is_none());
         cautions.map(|entry| entry.meaning).chain(self.unusual.iter().cloned()).collect()
     }
 

@@ -5,7 +5,7 @@
 pub struct PathCurve {
     /// Words and numbers: `time` first.
     pub columns: Vec<(&'static str, Vec<f64>)>,
-    /// Smooth stretch of each point.
+    /// Smooth piece of each point.
     pub pieces: Vec<u32>,
     /// First and last point in contact; none without contact.
     pub contact: Option<[usize; 2]>,

@@ -6,7 +6,7 @@
 use super::state_watch::{Progress, Stage, StateWatch};
 use super::{ProblemPlan, problem_plan};
 use crate::outcome::material_uncertainty::{DrawCounts, MaterialUncertainty};
-use crate::outcome::{Column, Row, Status, Validity, Verdict};
+use crate::outcome::{Assessment, Column, Row, Status, Validity};
 use crate::scene::typed::Scene;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -124,9 +124,9 @@ pub(super) fn validity(rows: &[Row], columns: &[Column]) -> Option<Validity> {
         .map(|spread| (spread.counts.used as f64 / (spread.counts.draws.max(1)) as f64, spread))
         .min_by(|left, right| left.0.total_cmp(&right.0))?;
     let noted = spreads().find_map(|spread| spread.note(columns));
-    let (verdict, meaning) = match noted {
-        None => (Verdict::Good, "part of the draws of the material that have the state of each row: all".to_owned()),
-        Some(note) => (Verdict::Caution, format!("smallest part of the draws of the material that have the state of a row; {note}")),
+    let (assessment, meaning) = match noted {
+        None => (Assessment::Good, "part of the draws of the material that have the state of each row: all".to_owned()),
+        Some(note) => (Assessment::Caution, format!("smallest part of the draws of the material that have the state of a row; {note}")),
     };
-    Some(Validity { name: "draws of the material".into(), value: Some(fewest.0), verdict, meaning })
+    Some(Validity { name: "draws of the material".into(), value: Some(fewest.0), assessment, meaning })
 }

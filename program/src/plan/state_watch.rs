@@ -34,18 +34,18 @@ pub enum Stage {
         /// All.
         total: usize,
     },
-    /// A state is under way in its march `number` (from 1), of which a part (0…1) is done.
-    March {
+    /// A state is under way in its integration `number` (from 1), of which a part (0…1) is done.
+    Integration {
         /// Which state, from 0.
         state: usize,
-        /// Each march is tighter than the one before.
+        /// Each integration is tighter than the one before.
         number: u32,
         /// Done of it.
         part: f64,
     },
 }
 
-/// Told how far a run is.
+/// Receives how far a run is.
 pub type Progress<'a> = &'a (dyn Fn(Stage) + Sync);
 
 /// What a state is solved with.
@@ -117,7 +117,7 @@ impl Watch for StateWatch<'_> {
         let now = Instant::now();
         if now >= clock.next_word {
             clock.next_word = now + BETWEEN_WORDS;
-            (self.progress)(Stage::March { state: self.state, number, part });
+            (self.progress)(Stage::Integration { state: self.state, number, part });
         }
     }
 

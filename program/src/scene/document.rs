@@ -1,7 +1,7 @@
 //! A TOML text as a tree whose every key and value knows its place, open to replacement by `--set` and by sweeps.
 
 use super::diagnostic::{Place, SceneError, SourceText};
-use super::read::memo::{Memo, OfTable};
+use super::read::cache::{Cache, OfTable};
 use super::recognise;
 use super::typed::{MaterialOrigin, MeasuredShape, MeasuredTable, SceneSurface};
 use crate::{regular_file, terminal_text};
@@ -110,7 +110,7 @@ pub struct Document {
     /// What was chosen in reading tables.
     notes: Vec<String>,
     /// What was made of the material's data or law, so that states of a sweep do not make it again.
-    materials: Memo<MaterialOrigin>,
+    materials: Cache<MaterialOrigin>,
     /// The same of records that the history follows.
     records: OfTable<MeasuredTable>,
     /// The same of shapes of indenters.
@@ -162,7 +162,7 @@ impl Document {
             provided: Vec::new(),
             included: Vec::new(),
             notes: Vec::new(),
-            materials: Memo::default(),
+            materials: Cache::default(),
             records: OfTable::default(),
             shapes: OfTable::default(),
             surfaces: OfTable::default(),
@@ -265,7 +265,7 @@ impl Document {
     }
 
     /// Materials made before from the same data, shared by all copies of the document.
-    pub(super) const fn materials(&self) -> &Memo<MaterialOrigin> {
+    pub(super) const fn materials(&self) -> &Cache<MaterialOrigin> {
         &self.materials
     }
 

@@ -268,10 +268,10 @@ pub fn for_key(unknown: &str, table: &str) -> Option<Suggestion> {
             return Some(Suggestion { path: None, note });
         }
     }
-    let elsewhere = || {
+    let other_tables = || {
         let keys = catalogue::keys().filter(|key| !of_columns(key.path));
         keys.filter_map(|key| key.path.rsplit(['.', ']']).next().map(|last| (last, key.path)))
     };
-    let near = nearest(&name, elsewhere().map(|(last, _)| last))?;
-    known(elsewhere().find(|(last, _)| *last == near).map(|(_, path)| path))
+    let near = nearest(&name, other_tables().map(|(last, _)| last))?;
+    known(other_tables().find(|(last, _)| *last == near).map(|(_, path)| path))
 }

@@ -307,7 +307,7 @@ pub enum SlidingTask {
     State,
     /// A curve of contacts.
     Branch(SlidingBranch),
-    /// What the contact bears.
+    /// What the contact carries.
     Strength,
 }
 
@@ -322,7 +322,7 @@ pub struct SlidingBranch {
     pub points: u32,
     /// k_f (Pa/m), if a frame is given.
     pub frame_stiffness: Option<f64>,
-    /// Whether a scan looks for branches apart from those that are followed.
+    /// Whether a scan looks for branches isolated from those that are followed.
     pub every: bool,
 }
 

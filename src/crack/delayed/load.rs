@@ -1,4 +1,4 @@
-//! A load history: K(t) as straight stretches with jumps between them.
+//! A load history: K(t) as straight segments with jumps between them.
 //!
 //! Before time zero there is no load; after the last segment the last load holds. Loads are zero or more: faces pressed together are a
 //! contact, not a crack. A smooth K(t) is given as a table, and the table is then the load that is solved.
@@ -56,27 +56,27 @@ pub enum LoadSegment {
     },
 }
 
-/// A stretch of time in which the load is a straight line.
+/// A segment of time in which the load is a straight line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stretch {
+pub struct LinearSegment {
     /// Start (s).
     pub start: f64,
     /// Duration (s), greater than zero; infinite for the last one.
     pub duration: f64,
-    /// Load at the start, after a jump if there is one.
+    /// Load at the start (Pa √m), after a jump if there is one.
     pub from: f64,
-    /// Load at the end, before the next jump.
+    /// Load at the end (Pa √m), before the next jump.
     pub to: f64,
 }
 
 /// K(t) ≥ 0 for all times from zero on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadHistory {
-    stretches: Vec<Stretch>,
+    segments: Vec<LinearSegment>,
 }
 
 impl LoadHistory {
-    /// A load applied at time zero and held for ever (thesis Eq 5.47).
+    /// A load K (Pa √m) applied at time zero and held for ever (thesis Eq 5.47).
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a load that is negative or not finite.
@@ -90,7 +90,7 @@ impl LoadHistory {
     /// [`Refusal::OutOfRange`] for a negative or non-finite load, a negative or non-finite duration, times of a table that do not
     /// increase from zero.
     pub fn from_segments(segments: &[LoadSegment]) -> Result<Self, Refusal> {
-        let mut builder = Builder { stretches: Vec::new(), time: 0.0, load: 0.0 };
+        let mut builder = Builder { segments: Vec::new(), time: 0.0, load: 0.0 };
         for segment in segments {
             match segment {
                 LoadSegment::Step { load } => builder.load = require_non_negative("load", *load)?,
@@ -129,9 +129,9 @@ impl LoadHistory {
                 }
             }
         }
-        let last = Stretch { start: builder.time, duration: f64::INFINITY, from: builder.load, to: builder.load };
-        builder.stretches.push(last);
-        Ok(Self { stretches: builder.stretches })
+        let last = LinearSegment { start: builder.time, duration: f64::INFINITY, from: builder.load, to: builder.load };
+        builder.segments.push(last);
+        Ok(Self { segments: builder.segments })
     }
 
     /// A history from the remote stress on a strip (Pa), by K = σ√(h·…) of [`PureShearStrip`] (thesis Eq 5.46).
@@ -148,39 +148,39 @@ impl LoadHistory {
     /// [`Refusal::OutOfRange`] for a factor, or a product, that is negative or not finite.
     pub fn scaled(mut self, factor: f64) -> Result<Self, Refusal> {
         require_non_negative("factor", factor)?;
-        for stretch in &mut self.stretches {
-            stretch.from = require_non_negative("load", stretch.from * factor)?;
-            stretch.to = require_non_negative("load", stretch.to * factor)?;
+        for segment in &mut self.segments {
+            segment.from = require_non_negative("load", segment.from * factor)?;
+            segment.to = require_non_negative("load", segment.to * factor)?;
         }
         Ok(self)
     }
 
-    /// The stretches in order, without gaps; the last one lasts for ever.
+    /// The segments in order, without gaps; the last one lasts for ever.
     #[must_use]
-    pub fn stretches(&self) -> &[Stretch] {
-        &self.stretches
+    pub fn segments(&self) -> &[LinearSegment] {
+        &self.segments
     }
 
-    /// The greatest load of the history.
+    /// The greatest load of the history (Pa √m).
     #[must_use]
     pub fn peak(&self) -> f64 {
-        self.stretches.iter().map(|stretch| stretch.from.max(stretch.to)).fold(0.0, f64::max)
+        self.segments.iter().map(|segment| segment.from.max(segment.to)).fold(0.0, f64::max)
     }
 
-    /// The load that holds after the last segment.
+    /// The load that holds after the last segment (Pa √m).
     #[must_use]
     pub fn last(&self) -> f64 {
-        self.stretches.last().map_or(0.0, |stretch| stretch.to)
+        self.segments.last().map_or(0.0, |segment| segment.to)
     }
 
-    /// K(t), after the jump where there is one; zero before time zero.
+    /// K(t) (Pa √m) at a time (s), after the jump where there is one; zero before time zero.
     #[must_use]
     pub fn at(&self, time: f64) -> f64 {
-        let index = self.stretches.partition_point(|stretch| stretch.start <= time);
-        match index.checked_sub(1).and_then(|index| self.stretches.get(index)) {
+        let index = self.segments.partition_point(|segment| segment.start <= time);
+        match index.checked_sub(1).and_then(|index| self.segments.get(index)) {
             None => 0.0,
-            Some(stretch) if stretch.duration.is_infinite() => stretch.from,
-            Some(stretch) => stretch.from + (stretch.to - stretch.from) * ((time - stretch.start) / stretch.duration),
+            Some(segment) if segment.duration.is_infinite() => segment.from,
+            Some(segment) => segment.from + (segment.to - segment.from) * ((time - segment.start) / segment.duration),
         }
     }
 }
@@ -189,24 +189,24 @@ impl LoadHistory {
 const SAME_TIME: f64 = 1e-13;
 
 impl LoadHistory {
-    /// K at a time that is known to its bound: all loads from the earliest to the latest time. An event on a jump of the load comes after it.
+    /// K (Pa √m) at a time (s) that is known to its bound: all loads from the earliest to the latest time. An event on a jump of the load comes after it.
     #[must_use]
     pub fn around(&self, time: Estimate) -> Estimate {
         let [earliest, latest] = [time.value - time.error, time.value + time.error];
         let certain = time.error <= SAME_TIME * time.value;
         // The clock of an event may be an ulp before the corner that the event lies on.
         let reached = if certain { time.value * (1.0 + SAME_TIME) } else { time.value };
-        let index = self.stretches.partition_point(|stretch| stretch.start <= reached).saturating_sub(1);
-        let start = self.stretches.get(index).map_or(0.0, |stretch| stretch.start);
+        let index = self.segments.partition_point(|segment| segment.start <= reached).saturating_sub(1);
+        let start = self.segments.get(index).map_or(0.0, |segment| segment.start);
         let value = self.at(time.value.max(start));
-        let first = self.stretches.partition_point(|stretch| stretch.start + stretch.duration < earliest).min(index);
+        let first = self.segments.partition_point(|segment| segment.start + segment.duration < earliest).min(index);
         let first = if certain && time.value - start <= SAME_TIME * time.value { index } else { first };
         let mut error = 0.0_f64;
         let last = if certain { start } else { latest };
-        for stretch in self.stretches.iter().skip(first).take_while(|stretch| stretch.start <= last) {
+        for segment in self.segments.iter().skip(first).take_while(|segment| segment.start <= last) {
             let load = |time: f64| {
-                let part = if stretch.duration.is_finite() { ((time - stretch.start) / stretch.duration).clamp(0.0, 1.0) } else { 0.0 };
-                stretch.from + (stretch.to - stretch.from) * part
+                let part = if segment.duration.is_finite() { ((time - segment.start) / segment.duration).clamp(0.0, 1.0) } else { 0.0 };
+                segment.from + (segment.to - segment.from) * part
             };
             error = error.max((load(earliest) - value).abs()).max((load(latest) - value).abs());
         }
@@ -215,7 +215,7 @@ impl LoadHistory {
 }
 
 struct Builder {
-    stretches: Vec<Stretch>,
+    segments: Vec<LinearSegment>,
     time: f64,
     load: f64,
 }
@@ -225,9 +225,9 @@ impl Builder {
         require_non_negative("load", load)?;
         require_finite("duration", duration)?;
         let end = require_finite("time", self.time + duration)?;
-        // A stretch below the resolution of the clock has no duration left.
+        // A segment below the resolution of the clock has no duration left.
         if end > self.time {
-            self.stretches.push(Stretch { start: self.time, duration, from: self.load, to: load });
+            self.segments.push(LinearSegment { start: self.time, duration, from: self.load, to: load });
             self.time = end;
         }
         self.load = load;

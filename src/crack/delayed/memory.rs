@@ -13,7 +13,7 @@
 //! leaves (it may be nearly all of P) and once per window. Pieces are kept until no zone of the history reaches them.
 
 use super::moments::fading_moments;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
@@ -30,7 +30,7 @@ pub(crate) struct Term {
     pub(crate) rate: f64,
 }
 
-pub(crate) fn terms_of(material: &Material) -> Vec<Term> {
+pub(crate) fn terms_of(material: &PlaneMaterial) -> Vec<Term> {
     let glassy = material.glassy_modulus();
     let mut terms: Vec<Term> = material
         .creep_terms()
@@ -301,7 +301,8 @@ impl Memory {
         self.terms.iter().map(|term| Self::by_last_slope(term, step)).sum()
     }
 
-    /// x₁ + εσ²(σ − 1), σ = 1 − v, has ε more slope at its end: δM_j = −(εg_jΔt/z) ∫ e^{−l_jΔt v} κ v(1 − v)² dv, where the load is that at the end to the order that counts.
+    /// x₁ + εσ²(σ − 1), σ = 1 − v, has ε more slope at its end: δM_j = −(εg_jΔt/z) ∫ e^{−l_jΔt v} κ v(1 − v)² dv, where the load is that at the end to the order that
+    /// counts.
     fn by_last_slope(term: &Term, step: &Step) -> f64 {
         let (_, [_, n1, n2, n3]) = fading_moments(term.rate * step.duration);
         step.loads[1] * term.gain * step.duration * step.duration * (n1 - 2.0 * n2 + n3)

@@ -1,7 +1,7 @@
 //! What grows: material, interface, and the process zone: one length for the whole history, or one that follows the load.
 
 use crate::crack::process_zone::{Interface, ProcessZone};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::{Refusal, require_non_negative, require_positive};
 
 /// How the process zone of a history is found.
@@ -16,7 +16,7 @@ pub(crate) enum ZoneRule {
 /// A crack that can grow under a load history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GrowthProblem<'a> {
-    pub(crate) material: &'a Material,
+    pub(crate) material: &'a PlaneMaterial,
     pub(crate) interface: Interface,
     pub(crate) zone: ZoneRule,
 }
@@ -27,7 +27,7 @@ impl<'a> GrowthProblem<'a> {
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a number that is not positive and finite; [`Refusal::Undefined`] for a law of closing cracks.
-    pub fn new(material: &'a Material, interface: Interface, reference_intensity: f64) -> Result<Self, Refusal> {
+    pub fn new(material: &'a PlaneMaterial, interface: Interface, reference_intensity: f64) -> Result<Self, Refusal> {
         let interface = interface.checked()?;
         let length = match interface.process_zone {
             ProcessZone::Constant { length } => length,
@@ -43,7 +43,7 @@ impl<'a> GrowthProblem<'a> {
     ///
     /// # Errors
     /// As [`GrowthProblem::new`].
-    pub fn following(material: &'a Material, interface: Interface) -> Result<Self, Refusal> {
+    pub fn following(material: &'a PlaneMaterial, interface: Interface) -> Result<Self, Refusal> {
         let interface = interface.checked()?;
         let zone = match interface.process_zone {
             ProcessZone::Constant { length } => ZoneRule::Constant(require_positive("process_zone", length)?),
@@ -55,7 +55,7 @@ impl<'a> GrowthProblem<'a> {
 
     /// The material of the deformable halves.
     #[must_use]
-    pub const fn material(&self) -> &Material {
+    pub const fn material(&self) -> &PlaneMaterial {
         self.material
     }
 
@@ -70,13 +70,13 @@ impl<'a> GrowthProblem<'a> {
 
     /// Whether δ changes with the load.
     #[must_use]
-    pub const fn follows_the_load(&self) -> bool {
+    pub(crate) const fn follows_the_load(&self) -> bool {
         matches!(self.zone, ZoneRule::Following { .. })
     }
 
     /// The interface with the zone that it has under a constant load K: what the steady theory at the same load takes.
     #[must_use]
-    pub fn interface_at(&self, intensity: f64) -> Interface {
+    pub(crate) fn interface_at(&self, intensity: f64) -> Interface {
         Interface { process_zone: ProcessZone::Constant { length: self.process_zone_at(intensity) }, ..self.interface }
     }
 

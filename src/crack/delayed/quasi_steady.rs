@@ -130,7 +130,7 @@ const LEFT_OUT: f64 = 8.0;
 
 impl QuasiSteadyMotion {
     /// What is not known of the speed, relative to it.
-    pub(super) fn doubt(&self) -> f64 {
+    pub(super) fn uncertainty(&self) -> f64 {
         LEFT_OUT * self.correction * self.correction + self.rounding
     }
 

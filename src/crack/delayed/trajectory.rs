@@ -1,15 +1,15 @@
 //! The trajectory of the tip with an error for every number: four runs, each with half the step of the one before.
 //!
 //! # How the errors are known
-//! The runs have ½, 1, 2 and 4 times the lines per process zone. Where the last three do not have the same events in the same order, runs with half the step are added: what
-//! happens is no matter of accuracy. The values are those of the finest: of third order in the step, with a
-//! coefficient that is the same in all runs, as lines, starts, arrests and kinks are nodes of all of them. Where both ratios of neighbouring differences are near 8, the
-//! error is a seventh of the last difference and the bar is that difference; where the last ratio is of that kind, five times as much. No difference counts as less than third order would
-//! make of the ones before: two runs may agree by chance. Elsewhere (a term whose place ẋ₀τ is about a line, runs that tell different stories) the
-//! bar is two and a half times the greatest of the differences, the first one taken as a sixteenth.
+//! The runs have ½, 1, 2 and 4 times the lines per process zone. Where the last three do not have the same events in the same order, runs with half the step are added:
+//! what happens is no matter of accuracy. The values are those of the finest: of third order in the step, with a coefficient that is the same in all runs, as lines,
+//! starts, arrests and kinks are nodes of all of them. Where both ratios of neighbouring differences are near 8, the error is a seventh of the last difference and the
+//! bound is that difference; where the last ratio is of that kind, five times as much. No difference counts as less than third order would make of the ones before: two
+//! runs may agree by chance. Elsewhere (a term whose place ẋ₀τ is about a line, runs that tell different stories) the bound is two and a half times the greatest of the
+//! differences, the first one taken as a sixteenth.
 //!
 //! Nothing is extrapolated. What an extrapolation leaves is a hundredth of its own correction in the median and a quarter in one value of ten thousand (1200 random
-//! histories), and no rule on four runs told which: bars that held were fifty times the error, bars of ten times the error missed one value in two hundred.
+//! histories), and no rule on four runs showed which: bounds that held were fifty times the error, bounds of ten times the error missed one value in two hundred.
 //! Rounding is added: each step satisfies the closure to an ulp, which is ε/κΣP_j of a place, and sums over a window grow with its lines.
 
 use super::finished_runs::{FinishedRuns, GrowthWatch, Keeper, Unwatched};
@@ -149,8 +149,8 @@ pub fn trajectory(
     refined_until(problem, history, outputs, resolution, &|_| 0.0)
 }
 
-/// The same, where runs with half the step are added until the bounds are short enough: `excess` is how many times the longest one is what is wanted. Steps are halved up to
-/// 16 384 lines a process zone, and as long as that helps; the caller compares what comes out.
+/// The same, where runs with half the step are added until the bounds are short enough: `excess` is how many times the longest one is what is wanted. Steps are halved
+/// up to 16 384 lines a process zone, and as long as that helps; the caller compares what comes out.
 ///
 /// # Errors
 /// Those of [`trajectory`].
@@ -234,7 +234,7 @@ fn of_runs(
         outputs.iter().enumerate().map(|(index, &time)| sample(runs, f64::from(lines), index, time, history.at(time), zone)).collect();
     let mut events = events(runs, f64::from(lines), zone, until);
     // Under one constant load the delay is known to rounding from its own equation.
-    if history.stretches().len() == 1
+    if history.segments().len() == 1
         && let Some(Event { kind: EventKind::GrowthBegins { speed }, time, .. }) = events.first_mut()
         && let Onset::After { delay, initial_speed, .. } = onset(problem, history.last())?
     {
@@ -267,7 +267,7 @@ fn same_story(runs: &[Run; 4]) -> bool {
     same(one) && same(two)
 }
 
-/// The steady motion that growth under a constant load K tends to: the opening theory of [`VirtualWork`] with the same zone.
+/// The steady motion that growth under a constant load K (Pa √m) tends to: the opening theory of [`VirtualWork`] with the same zone.
 ///
 /// # Errors
 /// [`Refusal::NoSuchState`] for a load at or beyond a limit of Eq 5.68; [`Refusal::Undefined`] for an elastic material.
@@ -305,15 +305,15 @@ impl Quantity {
 
 /// Ratios of neighbouring differences, the first and the last, where nothing but third order is left; 8 is perfect.
 const PERFECT: [Range<f64>; 2] = [6.0..10.5, 7.0..9.2];
-/// The bar there, over the last difference, of which the error is a seventh (2700 random histories: most need 0.143, the worst 0.93).
+/// The bound there, over the last difference, of which the error is a seventh (2700 random histories: most need 0.143, the worst 0.93).
 const PERFECT_PART: f64 = 1.0;
 
 /// Ratios of the last differences where something else is left besides third order, or what is left falls faster.
 const SIMILAR: Range<f64> = 4.5..40.0;
-/// The bar there, over the last difference.
+/// The bound there, over the last difference.
 const SIMILAR_PART: f64 = 5.0;
 
-/// The bar of any other value, over the greatest difference.
+/// The bound of any other value, over the greatest difference.
 const IRREGULAR_PART: f64 = 2.5;
 
 /// A difference counts as no less than this part of the one before.
@@ -323,7 +323,7 @@ const THIRD_ORDER: f64 = 0.125;
 const FIRST_PART: f64 = 1.0 / 16.0;
 
 /// The value and error that four runs of third order give, before units.
-fn judged([coarsest, coarse, middle, fine]: [f64; 4], quantity: Quantity, lines: f64) -> Estimate {
+fn with_bound([coarsest, coarse, middle, fine]: [f64; 4], quantity: Quantity, lines: f64) -> Estimate {
     let [first, second, third] = [coarse - coarsest, middle - coarse, fine - middle];
     let ratios = [first / second, second / third];
     let [first, second, third] = [first, second, third].map(f64::abs);
@@ -340,7 +340,13 @@ fn judged([coarsest, coarse, middle, fine]: [f64; 4], quantity: Quantity, lines:
 
 fn sample(runs: &[Run; 4], lines: f64, index: usize, time: f64, intensity: f64, zone: f64) -> Sample {
     let at = |run: &Run| {
-        run.samples.get(index).copied().unwrap_or(RawSample { place: 0.0, speed: 0.0, moving: false, bounded: true, doubts: [0.0; 2] })
+        run.samples.get(index).copied().unwrap_or(RawSample {
+            place: 0.0,
+            speed: 0.0,
+            moving: false,
+            bounded: true,
+            uncertainties: [0.0; 2],
+        })
     };
     let [coarsest, coarse, middle, fine] = [at(&runs[0]), at(&runs[1]), at(&runs[2]), at(&runs[3])];
     if !fine.bounded {
@@ -350,10 +356,13 @@ fn sample(runs: &[Run; 4], lines: f64, index: usize, time: f64, intensity: f64, 
     let resting = agreed && !fine.moving;
     let places = [coarsest.place, coarse.place, middle.place, fine.place];
     let speeds = [coarsest.speed, coarse.speed, middle.speed, fine.speed];
-    let doubted = |estimate: Estimate, doubt: f64| Estimate::new(estimate.value, estimate.error + doubt);
-    let growth =
-        if resting && fine.place == 0.0 { Estimate::exact(0.0) } else { doubted(judged(places, Quantity::Place, lines), fine.doubts[0]) };
-    let speed = if resting { Estimate::exact(0.0) } else { doubted(judged(speeds, Quantity::Rate, lines), fine.doubts[1]) };
+    let widened = |estimate: Estimate, uncertainty: f64| Estimate::new(estimate.value, estimate.error + uncertainty);
+    let growth = if resting && fine.place == 0.0 {
+        Estimate::exact(0.0)
+    } else {
+        widened(with_bound(places, Quantity::Place, lines), fine.uncertainties[0])
+    };
+    let speed = if resting { Estimate::exact(0.0) } else { widened(with_bound(speeds, Quantity::Rate, lines), fine.uncertainties[1]) };
     let state = if fine.moving { TipState::Growing } else { TipState::Resting };
     Sample { time, intensity, state, growth: Some(growth.scaled(zone)), speed: Some(speed.scaled(zone)) }
 }
@@ -375,15 +384,15 @@ fn events(runs: &[Run; 4], lines: f64, zone: f64, until: f64) -> Vec<Event> {
             all_together = coarsest.is_some();
             let coarsest = coarsest.unwrap_or(coarse);
             let number = |of: &dyn Fn(&RawEvent) -> f64, quantity: Quantity, range: f64| {
-                let estimate = judged([of(&coarsest), of(&coarse), of(&middle), of(fine)], quantity, lines);
+                let estimate = with_bound([of(&coarsest), of(&coarse), of(&middle), of(fine)], quantity, lines);
                 // The runs no longer tell the same story: all that is certain is the range.
                 if together { estimate } else { Estimate::new(estimate.value, range) }
             };
             let place = fine.place.abs().max(1.0);
             let speed = |side: usize| {
                 let estimate = number(&|event| event.speeds[side], Quantity::Rate, fine.speeds[side].abs().max(place / until));
-                let doubt = if fine.speeds[side] > 0.0 { fine.speed_doubt } else { 0.0 };
-                Estimate::new(estimate.value, estimate.error + doubt).scaled(zone)
+                let uncertainty = if fine.speeds[side] > 0.0 { fine.speed_uncertainty } else { 0.0 };
+                Estimate::new(estimate.value, estimate.error + uncertainty).scaled(zone)
             };
             let kind = match fine.kind {
                 RawKind::Begins => EventKind::GrowthBegins { speed: speed(1) },
@@ -395,7 +404,7 @@ fn events(runs: &[Run; 4], lines: f64, zone: f64, until: f64) -> Vec<Event> {
             };
             let time = number(&|event| event.time, Quantity::Time, until);
             let growth = number(&|event| event.place, Quantity::Place, place);
-            Event { kind, time, growth: Estimate::new(growth.value, growth.error + fine.doubt).scaled(zone) }
+            Event { kind, time, growth: Estimate::new(growth.value, growth.error + fine.uncertainty).scaled(zone) }
         })
         .collect()
 }

@@ -3,7 +3,7 @@
 use super::problem::GrowthProblem;
 use serde::{Deserialize, Serialize};
 
-/// A zone shorter than this part of the greatest one counts as this: below it lie places that cannot be told apart.
+/// A zone shorter than this part of the greatest one counts as this: below it lie places that cannot be distinguished.
 const SHORTEST: f64 = 1e-9;
 
 /// z(κ): 1, or (κ/κ_greatest)² where the zone follows the load.

@@ -13,7 +13,7 @@
 
 use super::fourier::Transform;
 use crate::finite_range::law::Attraction;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 use crate::sliding::layer::Layer;
 use rustfft::num_complex::Complex64;
@@ -26,7 +26,7 @@ pub type Modulus = Arc<dyn Fn(f64) -> Complex64 + Send + Sync>;
 ///
 /// # Errors
 /// [`Refusal::Undefined`] for a viscous material, which has no relaxed modulus.
-pub fn modulus_of(material: &Material) -> Result<Modulus, Refusal> {
+pub fn modulus_of(material: &PlaneMaterial) -> Result<Modulus, Refusal> {
     let relaxed = material.solid_modulus("the steady state of a law of finite range")?;
     let material = material.clone();
     // A frequency without a modulus becomes NaN, which `Problem::check` refuses.

@@ -1,6 +1,6 @@
 //! A result with error bounds: two runs, the second with every tolerance tightened.
 
-use super::march::run;
+use super::integration::run;
 use super::mesh::Mesher;
 use super::problem::{Accuracy, Problem};
 use super::result::{LegSummary, Run};

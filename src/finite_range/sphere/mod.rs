@@ -16,7 +16,7 @@
 //! | `chain`, `drive`, `step` | creep, control, one implicit step and its errors |
 //! | `newton` | one elastic adhesive contact |
 //! | `start`, `jump`, `search` | first state; passing a fold; largest tension and zero force |
-//! | `march`, `book`, `kept_surface`, `result`, `assess` | the run, its record, its error bounds |
+//! | `integration`, `book`, `kept_surface`, `result`, `assess` | the run, its record, its error bounds |
 //! | `exponential` | a second integrator, as a check |
 //!
 //! Sources: Greenwood (1997) and Feng (2000) for the elastic sphere; Maghami, Wang, Tricarico, Ciavarella, Li & Papangelo (2024) for the
@@ -32,10 +32,10 @@ mod book;
 mod chain;
 mod drive;
 mod exponential;
+mod integration;
 mod jump;
 mod kept_surface;
 mod kernel;
-mod march;
 mod mesh;
 mod newton;
 mod problem;
@@ -50,8 +50,8 @@ mod surface;
 
 pub use assess::{Assessed, BY_CHANCE, Bounds, InstantBounds, KINKED, assessed};
 pub use exponential::run_by_exponentials;
+pub use integration::{run, run_watched};
 pub use kept_surface::{Place, Surface};
-pub use march::{run, run_watched};
 pub use mesh::Mesher;
 pub use problem::{Accuracy, Control, Creep, Leg, Motion, Problem, Shape, Start};
 pub use result::{Certificate, Jump, LegSummary, Record, Run, SUM_OF_DURATIONS, row_at};

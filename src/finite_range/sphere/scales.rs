@@ -2,7 +2,7 @@
 
 use super::problem::Creep;
 use crate::finite_range::law::Attraction;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::{Refusal, require_positive};
 
 /// The units of a sphere of radius R, a law of work Δγ and range h₀, and a body of relaxed modulus E₀*.
@@ -23,11 +23,11 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// The scales; `material` carries plane moduli E* = E/(1 − ν²), see [`Material::stiffened`].
+    /// The scales; of a solid in plane moduli E*.
     ///
     /// # Errors
     /// [`Refusal`] unless the radius is positive and finite and the material is a solid.
-    pub fn new(radius: f64, attraction: &Attraction, material: &Material) -> Result<Self, Refusal> {
+    pub fn new(radius: f64, attraction: &Attraction, material: &PlaneMaterial) -> Result<Self, Refusal> {
         require_positive("radius", radius)?;
         let modulus = material.solid_modulus("the sphere of finite range")?;
         let (gap, work) = (attraction.range, attraction.work_of_adhesion);
@@ -42,7 +42,7 @@ impl Creep {
     ///
     /// # Errors
     /// [`Refusal::Undefined`] for a viscous material.
-    pub fn of(material: &Material) -> Result<Self, Refusal> {
+    pub fn of(material: &PlaneMaterial) -> Result<Self, Refusal> {
         material.solid_modulus("the sphere of finite range")?;
         let terms = material.creep_terms();
         let sum: f64 = terms.iter().map(|term| term.compliance).sum();
@@ -63,7 +63,7 @@ mod tests {
     fn a_glass_bead_on_soft_rubber() {
         // R 10 um, E0* 1 MPa, E∞* 10 MPa, 50 mJ/m², 1 nm: m = √R Δγ/(E0* h0^{3/2}).
         let terms = [0.3, 0.6].map(|part| CreepTerm { compliance: 1e-6 * part, retardation_time: part });
-        let material = Material::from_creep(1e7, &terms, None).unwrap();
+        let material = PlaneMaterial::from_creep(1e7, &terms, None).unwrap();
         let attraction = Attraction::new(Law::LennardJones, 0.05, 1e-9).unwrap();
         let scales = Scales::new(1e-5, &attraction, &material).unwrap();
         let coupling = 1e-5_f64.sqrt() * 0.05 / (1e6 * 1e-9_f64.powf(1.5));
@@ -72,6 +72,6 @@ mod tests {
         let creep = Creep::of(&material).unwrap();
         assert!((creep.stiffening - 10.0).abs() < 1e-12 && (creep.fractions.iter().sum::<f64>() - 1.0).abs() < 1e-15);
         assert!(creep.times[0] > creep.times[1] && (creep.fractions[0] / creep.fractions[1] - 2.0).abs() < 1e-12);
-        assert!(Creep::of(&Material::from_creep(1e7, &terms, Some(1.0)).unwrap()).is_err());
+        assert!(Creep::of(&PlaneMaterial::from_creep(1e7, &terms, Some(1.0)).unwrap()).is_err());
     }
 }

@@ -6,7 +6,7 @@
 //! between      e = T (W − u),  T_ji = φ_jE_iρ_i/(1 − ρ_i/τ_j),      W − u = S e,  S_ij = 1/(1 − ρ_i/τ_j);   φ_j = J_j/τ_j, of the flow 1/η
 //! ```
 
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 
 /// The springs and dashpots of a material, in moduli E*.
@@ -31,12 +31,12 @@ const SAME: f64 = 3e-8;
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl Chain {
-    pub(super) fn new(material: &Material) -> Result<Self, Refusal> {
+    pub(super) fn new(material: &PlaneMaterial) -> Result<Self, Refusal> {
         let maxwell: Vec<(f64, f64)> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();
         let mut voigt: Vec<(f64, f64)> =
             material.creep_terms().iter().map(|term| (term.retardation_time.recip(), term.compliance / term.retardation_time)).collect();
         voigt.extend(material.steady_viscosity().map(|viscosity| (0.0, viscosity.recip())));
-        let maxwell = apart(maxwell, &mut voigt);
+        let maxwell = distinct(maxwell, &mut voigt);
         if voigt.len() != maxwell.len() {
             return Err(Refusal::Undefined {
                 quantity: "the spring chain of the material",
@@ -127,7 +127,7 @@ impl Chain {
 }
 
 /// Relaxation terms without two that double precision cannot keep apart, and without the retardation rates between those.
-fn apart(terms: Vec<(f64, f64)>, voigt: &mut Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+fn distinct(terms: Vec<(f64, f64)>, voigt: &mut Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let mut kept: Vec<(f64, f64)> = Vec::with_capacity(terms.len());
     for (modulus, rho) in terms {
         match kept.last_mut() {

@@ -1,4 +1,4 @@
-//! One course through a history: the stretches of the history, the instants to keep, cycles, events and energies.
+//! One course through a history: the segments of the history, the instants to keep, cycles, events and energies.
 
 use super::chain::Chain;
 use super::fresh::Fresh;
@@ -6,12 +6,12 @@ use super::ledger::Sums;
 use super::line::Line;
 use super::motions::Wanted;
 use crate::indentation::checkpoint::Watch;
+use crate::indentation::current_segment::{CurrentSegment, part, weight};
+use crate::indentation::cycle_integrals::CycleIntegrals;
 use crate::indentation::history::{Controlled, Segment};
-use crate::indentation::meter::Meter;
 use crate::indentation::problem::{IndentationProblem, Start};
 use crate::indentation::record::Record;
 use crate::indentation::solution::{EventKind, Trace};
-use crate::indentation::stretch::{Stretch, part, weight};
 use crate::refusal::Refusal;
 
 /// Relative change of a rate that is no corner.
@@ -78,11 +78,11 @@ pub(super) struct Course<'a> {
     pub(super) line: Line<'a>,
     pub(super) fineness: Fineness,
     pub(super) fresh: &'a Fresh<'a>,
-    /// Start of the stretch under way and the time since.
+    /// Start of the interval under way and the time since.
     pub(super) origin: f64,
     pub(super) time: f64,
     pub(super) record: Record<'a>,
-    pub(super) meter: Option<Meter>,
+    pub(super) cycle_integrals: Option<CycleIntegrals>,
     /// What has been added up since the last point.
     pub(super) sums: Sums,
     /// The work of a relaxed contact as deep as the history reaches at least (J).
@@ -104,7 +104,7 @@ pub(super) struct Course<'a> {
     watch: Option<(&'a dyn Watch, u32)>,
     stop: Option<Line<'a>>,
     pub(super) until: f64,
-    /// The time of the stretch from which on a point is seen to be admissible.
+    /// The time of the interval from which on a point is seen to be admissible.
     pub(super) look_at: f64,
 }
 
@@ -120,7 +120,7 @@ impl<'a> Course<'a> {
             origin: 0.0,
             time: 0.0,
             record: Record::without_contact(),
-            meter: None,
+            cycle_integrals: None,
             sums: Sums::default(),
             least_work: 0.0,
             left: 0.0,
@@ -146,14 +146,15 @@ impl<'a> Course<'a> {
         self
     }
 
-    /// The whole history; `stops`: stretches that end early, and how long they take. The path, and what is not known of any strain of it beyond what another course tells.
+    /// The whole history; `stops`: intervals that end early, and how long they take. The path, and what is not known of any strain of it beyond what another course
+    /// tells.
     pub(super) fn through(mut self, stops: &[(usize, f64)]) -> Result<(Trace, Unknown), Refusal> {
         self.record.trace.shortened = stops.to_vec();
         self.run()?;
         let mut trace = self.record.finished();
         trace.work.closure_evaluations = self.evaluations;
         trace.work.history_updates = self.line.updates;
-        trace.work.most_panels = self.line.most_stretches;
+        trace.work.most_panels = self.line.most_intervals;
         trace.tolerance = self.fineness.series;
         Ok((trace, Unknown { strain: self.line.unknown(), kept: self.kept, of_cycles: self.left_of_cycles, losses: self.losses }))
     }
@@ -206,14 +207,14 @@ impl<'a> Course<'a> {
                 self.observe(index - 1, None);
                 continue;
             }
-            let stretch = Stretch { from: last, segment: *segment };
+            let current = CurrentSegment { from: last, segment: *segment };
             let duration = if segment.duration == 0.0 {
                 self.at_once(segment.controlled, segment.end)?;
                 self.pace = None;
                 self.keep(self.line.slope_at_edge());
                 0.0
             } else {
-                self.stretch(index, &stretch)?
+                self.current(index, &current)?
             };
             last = segment.value(last, duration);
             self.observe(index, None);
@@ -241,7 +242,7 @@ impl<'a> Course<'a> {
         &rest[..count]
     }
 
-    /// Goes through segments at one pace, as one stretch: instants are looked at along its way.
+    /// Goes through segments at one pace, as one interval: instants are looked at along its way.
     fn seen_through(&mut self, segments: &'a [Segment], from: f64) -> Result<f64, Refusal> {
         let Some((first, last)) = segments.first().zip(segments.last()) else { return Ok(from) };
         let instants = self.problem.instants_per_segment.max(1);
@@ -259,27 +260,27 @@ impl<'a> Course<'a> {
             // Fields look at one time only.
             wanted.clear();
         }
-        let stretch = Stretch { from, segment: Segment { duration: passed, end: last.end, ..*first } };
-        self.begin_stretch(&stretch);
+        let current = CurrentSegment { from, segment: Segment { duration: passed, end: last.end, ..*first } };
+        self.begin_segment(&current);
         if self.origin + passed >= self.until {
             let time = self.until - self.origin;
             if time > 0.0 {
-                self.reach(&stretch, time)?;
+                self.reach(&current, time)?;
             }
             self.stop = Some(self.line.clone());
             return Ok(last.end);
         }
         self.look_at = passed;
-        self.go(&stretch, passed, &wanted)?;
+        self.go(&current, passed, &wanted)?;
         self.point(false);
         self.keep(self.line.slope_at_edge());
-        self.end_stretch(&stretch, passed);
+        self.end_segment(&current, passed);
         Ok(last.end)
     }
 
-    /// A corner, where a stretch does not go on as the last one.
-    fn begin_stretch(&mut self, stretch: &Stretch) {
-        let (segment, rate) = (stretch.segment, stretch.rate());
+    /// A corner, where an interval does not go on as the last one.
+    fn begin_segment(&mut self, current: &CurrentSegment) {
+        let (segment, rate) = (current.segment, current.rate());
         let same = segment.oscillation.is_none()
             && self
                 .pace
@@ -290,8 +291,8 @@ impl<'a> Course<'a> {
         }
     }
 
-    fn end_stretch(&mut self, stretch: &Stretch, duration: f64) {
-        self.pace = stretch.segment.oscillation.is_none().then(|| (stretch.segment.controlled, stretch.rate()));
+    fn end_segment(&mut self, current: &CurrentSegment, duration: f64) {
+        self.pace = current.segment.oscillation.is_none().then(|| (current.segment.controlled, current.rate()));
         self.origin += duration;
         (self.time, self.look_at) = (0.0, 0.0);
     }
@@ -358,12 +359,18 @@ impl<'a> Course<'a> {
         (self.panel_length, self.depth_rate) = (0.0, None);
     }
 
-    /// A stretch of the history, to each kept instant and the end of each cycle: how long it took.
-    fn stretch(&mut self, index: usize, stretch: &Stretch) -> Result<f64, Refusal> {
-        let segment = stretch.segment;
-        self.begin_stretch(stretch);
-        self.meter = segment.oscillation.map(|oscillation| {
-            Meter::new(index, (oscillation, segment.duration), self.origin, self.chain.longest_time(), self.record.trace.path.last())
+    /// A segment of the history, to each kept instant and the end of each cycle: how long it took.
+    fn current(&mut self, index: usize, current: &CurrentSegment) -> Result<f64, Refusal> {
+        let segment = current.segment;
+        self.begin_segment(current);
+        self.cycle_integrals = segment.oscillation.map(|oscillation| {
+            CycleIntegrals::new(
+                index,
+                (oscillation, segment.duration),
+                self.origin,
+                self.chain.longest_time(),
+                self.record.trace.path.last(),
+            )
         });
         let stop = self.record.end_of(index);
         let mut duration = stop.unwrap_or(segment.duration);
@@ -374,31 +381,33 @@ impl<'a> Course<'a> {
         let mut at_start: Option<Line<'a>> = None;
         while self.time < duration {
             let next_instant = duration * if instant == instants { 1.0 } else { f64::from(instant) / f64::from(instants) };
-            let end_of_cycle = stretch.end_of_cycle(cycle);
+            let end_of_cycle = current.end_of_cycle(cycle);
             let target = end_of_cycle.map_or(next_instant, |end| end.min(next_instant));
-            for time in self.between(stretch, target) {
+            for time in self.between(current, target) {
                 if self.origin + time >= self.until {
                     let time = self.until - self.origin;
                     if time > self.time {
-                        self.reach(stretch, time)?;
+                        self.reach(current, time)?;
                     }
                     self.stop = Some(self.line.clone());
                     return Ok(duration);
                 }
-                self.reach(stretch, time)?;
+                self.reach(current, time)?;
             }
             if end_of_cycle.is_some_and(|end| end <= target) {
                 self.cycle_left((index, cycle));
                 cycle += 1;
                 self.line.tidy(true);
                 self.observe(index, Some(&segment));
-                let stationary =
-                    self.meter.as_mut().and_then(|meter| self.record.cycle(meter, self.origin + target, self.problem.accuracy));
+                let stationary = self
+                    .cycle_integrals
+                    .as_mut()
+                    .and_then(|cycle_integrals| self.record.cycle(cycle_integrals, self.origin + target, self.problem.accuracy));
                 if until_stationary && stop.is_none() && stationary == Some(true) {
                     duration = target;
                     self.record.trace.shortened.push((index, target));
                 }
-                let skipped = self.repeated(stretch, &mut at_start, cycle, next_instant);
+                let skipped = self.repeated(current, &mut at_start, cycle, next_instant);
                 cycle += skipped;
             }
             if self.time >= next_instant || self.time >= duration {
@@ -406,8 +415,8 @@ impl<'a> Course<'a> {
                 instant += 1;
             }
         }
-        self.record.last_cycle(self.meter.take());
-        self.end_stretch(stretch, duration);
+        self.record.last_cycle(self.cycle_integrals.take());
+        self.end_segment(current, duration);
         Ok(duration)
     }
 
@@ -420,19 +429,19 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Goes towards a time of a stretch; an oscillation takes some of these.
-    fn go(&mut self, stretch: &Stretch, target: f64, wanted: &[Wanted]) -> Result<(), Refusal> {
-        match stretch.segment.controlled {
-            Controlled::Penetration => self.along(&self.drive(stretch, target), wanted),
-            _ => self.toward(stretch, target, wanted),
+    /// Goes towards a time of an interval; an oscillation takes some of these.
+    fn go(&mut self, current: &CurrentSegment, target: f64, wanted: &[Wanted]) -> Result<(), Refusal> {
+        match current.segment.controlled {
+            Controlled::Penetration => self.along(&self.drive(current, target), wanted),
+            _ => self.toward(current, target, wanted),
         }
     }
 
-    /// Goes on to a time of a stretch, and adds the state there to the path.
-    fn reach(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
+    /// Goes on to a time of an interval, and adds the state there to the path.
+    fn reach(&mut self, current: &CurrentSegment, target: f64) -> Result<(), Refusal> {
         self.look_at = target;
         while self.time < target {
-            self.go(stretch, target, &[])?;
+            self.go(current, target, &[])?;
         }
         self.point(false);
         Ok(())

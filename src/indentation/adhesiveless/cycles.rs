@@ -2,7 +2,7 @@
 
 use super::course::Course;
 use super::line::Line;
-use crate::indentation::stretch::Stretch;
+use crate::indentation::current_segment::CurrentSegment;
 
 /// Points of a cycle.
 const OF_CYCLE: u32 = 8;
@@ -13,10 +13,10 @@ const NO_CHANGE: f64 = 4e-15;
 
 impl<'a> Course<'a> {
     /// Cycles that are left out because each is the last one again: none where that is not sure to what was asked for.
-    pub(super) fn repeated(&mut self, stretch: &Stretch, at_start: &mut Option<Line<'a>>, next: u64, by: f64) -> u64 {
-        let Some(oscillation) = stretch.segment.oscillation else { return 0 };
+    pub(super) fn repeated(&mut self, current: &CurrentSegment, at_start: &mut Option<Line<'a>>, next: u64, by: f64) -> u64 {
+        let Some(oscillation) = current.segment.oscillation else { return 0 };
         let steady = oscillation.frequency.to_bits() == oscillation.end_frequency.to_bits()
-            && stretch.segment.end.to_bits() == stretch.from.to_bits()
+            && current.segment.end.to_bits() == current.from.to_bits()
             && !oscillation.until_stationary;
         if !steady || self.until.is_finite() || next < 3 {
             return 0;
@@ -35,20 +35,20 @@ impl<'a> Course<'a> {
             return 0;
         }
         self.line.everywhere += change;
-        let Some(meter) = &mut self.meter else { return 0 };
+        let Some(cycle_integrals) = &mut self.cycle_integrals else { return 0 };
         for _ in 0..left {
-            self.record.cycle_again(meter);
+            self.record.cycle_again(cycle_integrals);
         }
-        self.time = stretch.end_of_cycle(next + left - 1).unwrap_or(by).min(by);
+        self.time = current.end_of_cycle(next + left - 1).unwrap_or(by).min(by);
         self.point(false);
         left
     }
 
     /// Times up to a target at which points of the path are wanted, the target last.
-    pub(super) fn between(&self, stretch: &Stretch, target: f64) -> Vec<f64> {
+    pub(super) fn between(&self, current: &CurrentSegment, target: f64) -> Vec<f64> {
         let mut times = Vec::new();
-        if let Some(oscillation) = stretch.segment.oscillation {
-            let duration = stretch.segment.duration;
+        if let Some(oscillation) = current.segment.oscillation {
+            let duration = current.segment.duration;
             let of_cycle = f64::from(OF_CYCLE);
             let mut k = (oscillation.cycles_at(self.time, duration) * of_cycle * (1.0 + 1e-12)).floor();
             loop {

@@ -1,4 +1,4 @@
-//! The penetration within a stretch of time, Δ(x) = Δ₀ + Σ w_k (x/T)^k + A(sin(φ + ωx) − sin φ), 0 ≤ x ≤ T, and what it does to a point in contact.
+//! The penetration within an interval of time, Δ(x) = Δ₀ + Σ w_k (x/T)^k + A(sin(φ + ωx) − sin φ), 0 ≤ x ≤ T, and what it does to a point in contact.
 
 /// Highest power of the time.
 pub(super) const DEGREE: usize = 8;

@@ -1,4 +1,4 @@
-//! How the edge goes through a stretch of time while Δ(x) is given: one way at a time, until it turns, is lost, or the time is over.
+//! How the edge goes through an interval of time while Δ(x) is given: one way at a time, until it turns, is lost, or the time is over.
 //!
 //! Each chain knows when the edge passes it: in contact when its own S falls through zero, free when it rises through zero. No chain waits for another one.
 
@@ -20,10 +20,10 @@ const SHORTEST: f64 = 0.05;
 /// Iterations of a bracketed root.
 const MOST_ITERATIONS: u32 = 100;
 
-/// Part of a stretch of time after whose start a touch is at its start.
+/// Part of an interval of time after whose start a touch is at its start.
 const AT_ONCE: f64 = 1e-9;
 
-/// What ended a stretch of time.
+/// What ended an interval of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ended {
     /// It is over.
@@ -35,7 +35,7 @@ pub(super) enum Ended {
     /// It was found.
     Touched,
     /// What presses is less than what the panel leaves: whether the contact is lost is not known, and nothing was passed.
-    Faint,
+    Unresolved,
 }
 
 /// How far, which way (none at rest), and why no further.
@@ -54,10 +54,10 @@ impl Line<'_> {
 
     /// S at the edge after a moment, by the chains inside and outside; none on a side without chains.
     fn at_edge(&self, moment: &Moment) -> (Option<f64>, Option<f64>) {
-        let inside = self.contact.last().map(|stretch| self.pressed(stretch, moment)[NODES - 1]);
+        let inside = self.contact.last().map(|interval| self.pressed(interval, moment)[NODES - 1]);
         let a = self.radius();
         let outside = match self.free.first() {
-            Some(stretch) => Some(self.opened(stretch, moment)[0]),
+            Some(interval) => Some(self.opened(interval, moment)[0]),
             None if a < self.profile.rim() => Some(moment.depth - self.profile.line(a)),
             None => None,
         };
@@ -68,28 +68,28 @@ impl Line<'_> {
     fn edge_after(&self, moment: &Moment, way: Way) -> Result<Option<f64>, Refusal> {
         match way {
             Way::Inwards => {
-                for stretch in self.contact.iter().rev() {
-                    let pressed = self.pressed(stretch, moment);
+                for interval in self.contact.iter().rev() {
+                    let pressed = self.pressed(interval, moment);
                     if pressed[0] >= 0.0 {
                         if pressed[NODES - 1] >= 0.0 {
-                            return Ok(Some(stretch.high));
+                            return Ok(Some(interval.high));
                         }
-                        return Ok(Some(stretch.low + stretch.width() * GRID.part(GRID.falling_zero(&pressed))));
+                        return Ok(Some(interval.low + interval.width() * GRID.part(GRID.falling_zero(&pressed))));
                     }
                 }
                 Ok(None)
             }
             Way::Outwards => {
                 let mut reached = self.radius();
-                for stretch in &self.free {
-                    let opened = self.opened(stretch, moment);
+                for interval in &self.free {
+                    let opened = self.opened(interval, moment);
                     if opened[NODES - 1] < 0.0 {
                         if opened[0] < 0.0 {
                             return Ok(Some(reached));
                         }
-                        return Ok(Some(stretch.low + stretch.width() * GRID.part(GRID.falling_zero(&opened))));
+                        return Ok(Some(interval.low + interval.width() * GRID.part(GRID.falling_zero(&opened))));
                     }
-                    reached = stretch.high;
+                    reached = interval.high;
                 }
                 let rim = self.profile.rim();
                 if reached >= rim {
@@ -106,16 +106,16 @@ impl Line<'_> {
         let mut state = vec![0.0; terms];
         match way {
             Way::Inwards => {
-                let Some(stretch) = self.contact.iter().rev().find(|stretch| stretch.low <= place) else { return moment.rate };
-                stretch.at(place, &mut state);
+                let Some(interval) = self.contact.iter().rev().find(|interval| interval.low <= place) else { return moment.rate };
+                interval.at(place, &mut state);
                 let branches = self.chain.maxwell.iter().zip(&state).zip(moment.kept.iter().zip(&moment.gained));
                 let relaxing: f64 =
                     branches.map(|((&(modulus, rho), u), (kept, gained))| modulus / self.chain.glassy * (u * kept + gained) / rho).sum();
                 moment.rate - relaxing
             }
             Way::Outwards => {
-                let Some(stretch) = self.free.iter().find(|stretch| stretch.high >= place) else { return moment.rate };
-                stretch.at(place, &mut state);
+                let Some(interval) = self.free.iter().find(|interval| interval.high >= place) else { return moment.rate };
+                interval.at(place, &mut state);
                 let elements = self.chain.voigt.iter().zip(&state).zip(&moment.recovered);
                 moment.rate + elements.map(|((&(rate, _), e), kept)| rate * e * kept).sum::<f64>()
             }
@@ -217,7 +217,7 @@ impl Line<'_> {
             }
             if place.is_none() {
                 if known.is_some_and(|(_, left)| self.hardly_lost(drive, left)) {
-                    return Ok((0.0, None, Ended::Faint));
+                    return Ok((0.0, None, Ended::Unresolved));
                 }
                 // The axis is the last to lose contact.
                 let lost = self.lost_at(drive, time);
@@ -244,11 +244,11 @@ impl Line<'_> {
 
     /// Whether S on the axis never falls clearly below zero along a panel, which leaves so much of Δ: a load that has relaxed is positive, however small.
     fn hardly_lost(&self, drive: &Drive, left: f64) -> bool {
-        let Some(stretch) = self.contact.first() else { return false };
+        let Some(interval) = self.contact.first() else { return false };
         let mut moment = Moment::default();
         evenly(drive.duration).all(|time| {
             moment.set(self.chain, drive, time);
-            self.pressed(stretch, &moment)[0] >= -left
+            self.pressed(interval, &moment)[0] >= -left
         })
     }
 
@@ -276,17 +276,17 @@ impl Line<'_> {
     /// When the chain on the axis leaves contact, at most at a time.
     fn lost_at(&self, drive: &Drive, by: f64) -> f64 {
         let mut state = vec![0.0; self.chain.terms()];
-        let Some(stretch) = self.contact.first() else { return 0.0 };
-        stretch.at(stretch.low, &mut state);
+        let Some(interval) = self.contact.first() else { return 0.0 };
+        interval.at(interval.low, &mut state);
         let mut moment = Moment::default();
-        leaving(self, drive, stretch.heights[0], &state, by, by, &mut moment)
+        leaving(self, drive, interval.heights[0], &state, by, by, &mut moment)
     }
 
     /// When the chain on the axis is touched, at most at a time.
     fn touched_at(&self, drive: &Drive, by: f64) -> f64 {
         let mut state = vec![0.0; self.chain.terms()];
-        if let Some(stretch) = self.free.first() {
-            stretch.at(0.0, &mut state);
+        if let Some(interval) = self.free.first() {
+            interval.at(0.0, &mut state);
         }
         touching(self, drive, self.profile.line(0.0), &state, by, 0.0)
     }

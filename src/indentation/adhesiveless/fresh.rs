@@ -82,7 +82,7 @@ impl<'a> Fresh<'a> {
             Profile::Table(_) => {
                 let Some(part) = self.part(|part| part.high >= a) else {
                     let last = self.sections.last().and_then(|section| section.get()?.last());
-                    return last.map_or(0.0, |last| last.sum() + stretch(self.profile, last.high, a));
+                    return last.map_or(0.0, |last| last.sum() + interval(self.profile, last.high, a));
                 };
                 dot(&GRID.at(a - part.low, part.high - a), &part.sums)
             }
@@ -193,7 +193,7 @@ fn cut(profile: &Profile, (low, high): (f64, f64), before: f64, halvings: u32, p
 }
 
 /// ∫f ds between two places without a point of a table between them.
-fn stretch(profile: &Profile, low: f64, high: f64) -> f64 {
+fn interval(profile: &Profile, low: f64, high: f64) -> f64 {
     if high <= low {
         return 0.0;
     }

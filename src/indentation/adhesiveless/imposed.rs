@@ -11,12 +11,12 @@ use super::linear::Row;
 use super::motions::Wanted;
 use super::path_history::Edge;
 use super::solve::OF_LAST;
+use crate::indentation::current_segment::CurrentSegment;
 use crate::indentation::history::Controlled;
-use crate::indentation::stretch::Stretch;
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
 
-/// Time before a contact is lost that is none, over the shortest relaxation time and over the stretch.
+/// Time before a contact is lost that is none, over the shortest relaxation time and over the interval.
 const NOTHING: f64 = 1e-10;
 /// The same after it is found, over what is left: what the strains miss of it goes with its square.
 const SOON: f64 = 1e-8;
@@ -59,10 +59,10 @@ impl Course<'_> {
         }
     }
 
-    /// Goes towards a time of a stretch that controls something else than the penetration; instants before it are kept on the way.
-    pub(super) fn toward(&mut self, stretch: &Stretch, target: f64, mut wanted: &[Wanted]) -> Result<(), Refusal> {
-        let controlled = stretch.segment.controlled;
-        let given = self.drive(stretch, target);
+    /// Goes towards a time of an interval that controls something else than the penetration; instants before it are kept on the way.
+    pub(super) fn toward(&mut self, current: &CurrentSegment, target: f64, mut wanted: &[Wanted]) -> Result<(), Refusal> {
+        let controlled = current.segment.controlled;
+        let given = self.drive(current, target);
         let (whole, start) = (given.duration, self.time);
         let (mut at, mut panels) = (0.0, 0);
         while at < whole {
@@ -99,8 +99,8 @@ impl Course<'_> {
             let vanishes = gone < whole || given.end() <= 0.0;
             // What presses hardly at all is let go at once; instants before its end still see it pressed.
             let seen = wanted.first().map(|instant| instant.time - start).filter(|time| *time < gone);
-            let faint = pulls && vanishes && self.presses_no_more(&given, at, gone);
-            let soon = gone - at <= nothing.max(4.0 * f64::EPSILON * gone) || faint && seen.is_none();
+            let unresolved = pulls && vanishes && self.presses_no_more(&given, at, gone);
+            let soon = gone - at <= nothing.max(4.0 * f64::EPSILON * gone) || unresolved && seen.is_none();
             if pulls && vanishes && soon {
                 self.time = start + gone;
                 self.let_go()?;
@@ -110,7 +110,7 @@ impl Course<'_> {
                 continue;
             }
             let most = match seen {
-                Some(time) if faint => time - at,
+                Some(time) if unresolved => time - at,
                 _ if pulls && vanishes => TOWARDS * (gone - at),
                 _ => whole - at,
             };
@@ -197,7 +197,7 @@ impl Course<'_> {
             } else {
                 self.line.follow(&drive, &met, allowed)?
             };
-            if went.2 == Ended::Faint {
+            if went.2 == Ended::Unresolved {
                 drive = through(&Law::new(&self.line, self.fresh, length).resting().depths);
                 self.line.pass_nothing(&drive);
                 went = (length, None, Ended::Whole);
@@ -227,8 +227,8 @@ impl Course<'_> {
             self.depth_rate = (passed > 0.0).then(|| drive.rate(passed));
             // A panel may end just where the edge reaches the axis.
             match ended {
-                Ended::Whole | Ended::Touched | Ended::Faint if self.line.radius() > 0.0 => {}
-                Ended::Whole | Ended::Touched | Ended::Faint | Ended::Lost => self.lost(Some(drive.rate(passed))),
+                Ended::Whole | Ended::Touched | Ended::Unresolved if self.line.radius() > 0.0 => {}
+                Ended::Whole | Ended::Touched | Ended::Unresolved | Ended::Lost => self.lost(Some(drive.rate(passed))),
                 Ended::Turned => self.turned(),
             }
             return Ok(if rests { drive.duration } else { passed.max(f64::MIN_POSITIVE) });

@@ -1,4 +1,4 @@
-//! What is imposed on a stretch of time in which the edge goes one way, as equations for Δ at its Chebyshev nodes (Graham).
+//! What is imposed on an interval of time in which the edge goes one way, as equations for Δ at its Chebyshev nodes (Graham).
 //!
 //! With ℛ the relaxation over E∞*, F/2E∞* is ∫(κ − p)₊ ds of κ = ℛΔ over the chains in contact while the edge recedes ([`Line::holding`]): no passage of
 //! the edge is needed. While it advances F/2E∞* = ℛΦ, with Φ = ∫W ds over the whole line, an elastic function of Δ and of the free surface. In both ways

@@ -38,7 +38,7 @@ impl Law<'_, '_> {
         })
     }
 
-    /// Part of the duration at which the edge passes a place where stretches meet, the first one on its way.
+    /// Part of the duration at which the edge passes a place where intervals meet, the first one on its way.
     pub(super) fn passes(&self, met: &Met) -> Option<f64> {
         let a = self.line.radius();
         let end = met.places[DEGREE - 1];

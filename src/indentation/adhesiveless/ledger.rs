@@ -42,7 +42,7 @@ pub(super) struct Gone<'g, 'a> {
     /// None where the edge rested.
     pub(super) way: Option<Way>,
     pub(super) edge: Option<Edge<'g>>,
-    /// The time of the stretch at its start.
+    /// The time of the interval at its start.
     pub(super) since: f64,
     /// F where it is imposed.
     pub(super) force: Option<&'g dyn Fn(f64) -> f64>,
@@ -51,7 +51,7 @@ pub(super) struct Gone<'g, 'a> {
 impl<'a> Course<'a> {
     /// Whether anything is added up.
     pub(super) fn adds_up(&self) -> bool {
-        self.until.is_infinite() && (self.problem.energies || self.meter.is_some())
+        self.until.is_infinite() && (self.problem.energies || self.cycle_integrals.is_some())
     }
 
     /// The line as it is, where something is added up, or instants on the way are wanted.
@@ -82,8 +82,8 @@ impl<'a> Course<'a> {
                 depths[k] = drive.value(time);
                 (forces[k], powers[k]) = walk.at(time, self.problem.energies)?;
                 work[k] = (forces[k] - start) * drive.rate(time);
-                if let Some(meter) = &self.meter {
-                    phases[k] = meter.weights(self.origin + gone.since + time);
+                if let Some(cycle_integrals) = &self.cycle_integrals {
+                    phases[k] = cycle_integrals.weights(self.origin + gone.since + time);
                 }
             }
             let range = |values: &Nodal| values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(*v), b.max(*v)]);
@@ -103,7 +103,7 @@ impl<'a> Course<'a> {
             let mut ended = width * GRID.tail(&work) <= of_work && width * GRID.tail(&powers) <= of_power;
             let mut moments = [[0.0; 3]; 2];
             let mut left_of = [0.0_f64; 3];
-            if self.meter.is_some() {
+            if self.cycle_integrals.is_some() {
                 for (quantity, values) in [&depths, &forces].into_iter().enumerate() {
                     for (index, moment) in moments[quantity].iter_mut().enumerate() {
                         let part: Nodal = std::array::from_fn(|k| phases[k][index] * values[k]);
@@ -124,7 +124,7 @@ impl<'a> Course<'a> {
             }
             left_of[2] = width * GRID.tail(&work);
             self.left_work += left_of[2];
-            if self.meter.is_some() {
+            if self.cycle_integrals.is_some() {
                 self.left_of_cycle.iter_mut().zip(left_of).for_each(|(left, own)| *left += own);
             }
             let [mut done, mut lost] = [width * GRID.integral(&work), width * GRID.integral(&powers)];
@@ -148,7 +148,7 @@ impl<'a> Course<'a> {
             for (sum, part) in sums.moments.iter_mut().flatten().zip(moments.iter().flatten()) {
                 *sum += part;
             }
-            if self.meter.is_some() {
+            if self.cycle_integrals.is_some() {
                 // The edge goes one way.
                 let (one, other) = (gone.before.radius(), self.line.radius());
                 let found = [extremes(&depths), extremes(&forces), [one.min(other), one.max(other)]];

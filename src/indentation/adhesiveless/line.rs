@@ -1,4 +1,4 @@
-//! The line of a contact without adhesion: stretches of a few chains each, those in contact first.
+//! The line of a contact without adhesion: intervals of a few chains each, those in contact first.
 //!
 //! | symbol | name | unit |
 //! |---|---|---|
@@ -16,12 +16,12 @@ use super::moment::Moment;
 use crate::indentation::profile::Profile;
 use crate::refusal::Refusal;
 
-/// A stretch narrower than this, over the edge's place, is none.
+/// An interval narrower than this, over the edge's place, is none.
 pub(super) const NARROWEST: f64 = 4e-15;
 
-/// A stretch of the line.
+/// An interval of the line.
 #[derive(Debug, PartialEq)]
-pub(super) struct Stretch {
+pub(super) struct Interval {
     pub(super) low: f64,
     pub(super) high: f64,
     pub(super) heights: Nodal,
@@ -34,7 +34,7 @@ pub(super) struct Stretch {
     pub(super) fresh: bool,
 }
 
-impl Clone for Stretch {
+impl Clone for Interval {
     fn clone(&self) -> Self {
         Self { state: self.state.clone(), ..*self }
     }
@@ -46,7 +46,7 @@ impl Clone for Stretch {
     }
 }
 
-impl Stretch {
+impl Interval {
     pub(super) fn place(&self, k: usize) -> f64 {
         place_of(self.low, self.high, k)
     }
@@ -98,8 +98,8 @@ pub(super) fn place_of(low: f64, high: f64, k: usize) -> f64 {
 pub(super) struct Line<'a> {
     pub(super) chain: &'a Chain,
     pub(super) profile: &'a Profile,
-    pub(super) contact: Vec<Stretch>,
-    pub(super) free: Vec<Stretch>,
+    pub(super) contact: Vec<Interval>,
+    pub(super) free: Vec<Interval>,
     pub(super) penetration: f64,
     /// Largest |Δ| so far, or of those to come (m).
     pub(super) depth: f64,
@@ -111,7 +111,7 @@ pub(super) struct Line<'a> {
     /// The most that a series or a panel left: another course may have cut the same ones.
     pub(super) cut: f64,
     pub(super) updates: u64,
-    pub(super) most_stretches: u64,
+    pub(super) most_intervals: u64,
 }
 
 impl<'a> Line<'a> {
@@ -128,7 +128,7 @@ impl<'a> Line<'a> {
             joined: 0.0,
             cut: 0.0,
             updates: 0,
-            most_stretches: 0,
+            most_intervals: 0,
         }
     }
 
@@ -147,7 +147,7 @@ impl<'a> Line<'a> {
 
     /// a.
     pub(super) fn radius(&self) -> f64 {
-        self.contact.last().map_or(0.0, |stretch| stretch.high)
+        self.contact.last().map_or(0.0, |interval| interval.high)
     }
 
     pub(super) fn went_to(&mut self, penetration: f64) {
@@ -188,36 +188,36 @@ impl<'a> Line<'a> {
         Ok(self.profile.inverse_coordinate(depth, from, high))
     }
 
-    /// S at the places of a stretch in contact, after a moment.
-    pub(super) fn pressed(&self, stretch: &Stretch, moment: &Moment) -> Nodal {
+    /// S at the places of an interval in contact, after a moment.
+    pub(super) fn pressed(&self, interval: &Interval, moment: &Moment) -> Nodal {
         let soft = self.chain.relaxed / self.chain.glassy;
-        let mut sum: Nodal = stretch.heights.map(|height| soft * (moment.depth - height));
+        let mut sum: Nodal = interval.heights.map(|height| soft * (moment.depth - height));
         for (index, &(modulus, _)) in self.chain.maxwell.iter().enumerate() {
             let share = modulus / self.chain.glassy;
             let (kept, gained) = (moment.kept[index], moment.gained[index]);
-            for (sum, u) in sum.iter_mut().zip(stretch.term(index)) {
+            for (sum, u) in sum.iter_mut().zip(interval.term(index)) {
                 *sum += share * (u * kept + gained);
             }
         }
         sum
     }
 
-    /// S at the places of a free stretch, after a moment.
-    pub(super) fn opened(&self, stretch: &Stretch, moment: &Moment) -> Nodal {
-        let mut sum: Nodal = stretch.heights.map(|height| moment.depth - height);
+    /// S at the places of a free interval, after a moment.
+    pub(super) fn opened(&self, interval: &Interval, moment: &Moment) -> Nodal {
+        let mut sum: Nodal = interval.heights.map(|height| moment.depth - height);
         for (index, kept) in moment.recovered.iter().enumerate() {
-            for (sum, e) in sum.iter_mut().zip(stretch.term(index)) {
+            for (sum, e) in sum.iter_mut().zip(interval.term(index)) {
                 *sum -= e * kept;
             }
         }
         sum
     }
 
-    /// Q now, at the places of a stretch in contact.
-    pub(super) fn load(&self, stretch: &Stretch) -> Nodal {
-        let mut sum: Nodal = stretch.heights.map(|height| self.chain.relaxed * (self.penetration - height));
+    /// Q now, at the places of an interval in contact.
+    pub(super) fn load(&self, interval: &Interval) -> Nodal {
+        let mut sum: Nodal = interval.heights.map(|height| self.chain.relaxed * (self.penetration - height));
         for (index, &(modulus, _)) in self.chain.maxwell.iter().enumerate() {
-            for (sum, u) in sum.iter_mut().zip(stretch.term(index)) {
+            for (sum, u) in sum.iter_mut().zip(interval.term(index)) {
                 *sum += modulus * u;
             }
         }
@@ -226,7 +226,7 @@ impl<'a> Line<'a> {
 
     /// F (N).
     pub(super) fn force(&self) -> f64 {
-        2.0 * self.contact.iter().map(|stretch| stretch.width() * GRID.integral(&self.load(stretch))).sum::<f64>()
+        2.0 * self.contact.iter().map(|interval| interval.width() * GRID.integral(&self.load(interval))).sum::<f64>()
     }
 
     /// U (J) and P_d (W).
@@ -240,19 +240,19 @@ impl<'a> Line<'a> {
             }
             GRID.integral(&squares)
         };
-        for stretch in &self.contact {
-            let under = stretch.heights.map(|height| self.penetration - height);
-            stored += stretch.width() * chain.relaxed * square(&under);
+        for interval in &self.contact {
+            let under = interval.heights.map(|height| self.penetration - height);
+            stored += interval.width() * chain.relaxed * square(&under);
             for (index, &(modulus, rho)) in chain.maxwell.iter().enumerate() {
-                let of_branch = stretch.width() * modulus * square(stretch.term(index));
+                let of_branch = interval.width() * modulus * square(interval.term(index));
                 stored += of_branch;
                 power += 2.0 * of_branch / rho;
             }
         }
-        for stretch in &self.free {
+        for interval in &self.free {
             for (index, &(rate, flow)) in chain.voigt.iter().enumerate() {
                 // J_j = φ_jτ_j: the strain of a flow stores nothing.
-                let of_element = stretch.width() * rate / flow * square(stretch.term(index));
+                let of_element = interval.width() * rate / flow * square(interval.term(index));
                 stored += of_element;
                 power += 2.0 * of_element * rate;
             }
@@ -262,7 +262,7 @@ impl<'a> Line<'a> {
 
     /// ∫e_j ds over what is free.
     pub(super) fn free_strains(&self) -> Vec<f64> {
-        let of = |index: usize| self.free.iter().map(|stretch| stretch.width() * dot(&GRID.weights, stretch.term(index))).sum();
+        let of = |index: usize| self.free.iter().map(|interval| interval.width() * dot(&GRID.weights, interval.term(index))).sum();
         (0..self.chain.terms()).map(of).collect()
     }
 
@@ -270,9 +270,9 @@ impl<'a> Line<'a> {
     pub(super) fn whole_springs(&self, free: &[f64]) -> Vec<f64> {
         let mut springs = free.to_vec();
         self.chain.touched(free.iter().sum(), &mut springs, &mut Vec::new());
-        for stretch in &self.contact {
+        for interval in &self.contact {
             for (index, spring) in springs.iter_mut().enumerate() {
-                *spring += stretch.width() * dot(&GRID.weights, stretch.term(index));
+                *spring += interval.width() * dot(&GRID.weights, interval.term(index));
             }
         }
         springs
@@ -280,9 +280,9 @@ impl<'a> Line<'a> {
 
     /// Where the free surface next to the contact is after a time, as a penetration that touches it.
     pub(super) fn surface_after(&self, time: f64) -> f64 {
-        let Some(stretch) = self.free.first() else { return self.profile.line(self.radius()) };
-        let strains = (0..self.chain.terms()).filter_map(|index| stretch.term(index).first());
-        stretch.heights[0] + self.chain.voigt.iter().zip(strains).map(|((rate, _), e)| e * (-rate * time).exp()).sum::<f64>()
+        let Some(interval) = self.free.first() else { return self.profile.line(self.radius()) };
+        let strains = (0..self.chain.terms()).filter_map(|index| interval.term(index).first());
+        interval.heights[0] + self.chain.voigt.iter().zip(strains).map(|((rate, _), e)| e * (-rate * time).exp()).sum::<f64>()
     }
 
     /// The largest place and penetration that the shape is known for.
@@ -294,18 +294,18 @@ impl<'a> Line<'a> {
     pub(super) fn age(&mut self, moment: &Moment) {
         let slowest = |rests: &[f64]| rests.iter().fold(0.0, |most: f64, rest| most.max(*rest));
         let [relaxed, recovered] = [slowest(&moment.kept), slowest(&moment.recovered)];
-        for stretch in &mut self.contact {
-            stretch.then *= relaxed;
+        for interval in &mut self.contact {
+            interval.then *= relaxed;
             for (index, (kept, gained)) in moment.kept.iter().zip(&moment.gained).enumerate() {
-                for u in stretch.state.iter_mut().skip(index * NODES).take(NODES) {
+                for u in interval.state.iter_mut().skip(index * NODES).take(NODES) {
                     *u = *u * kept + gained;
                 }
             }
         }
-        for stretch in &mut self.free {
-            stretch.then *= recovered;
+        for interval in &mut self.free {
+            interval.then *= recovered;
             for (index, kept) in moment.recovered.iter().enumerate() {
-                for e in stretch.state.iter_mut().skip(index * NODES).take(NODES) {
+                for e in interval.state.iter_mut().skip(index * NODES).take(NODES) {
                     *e *= kept;
                 }
             }

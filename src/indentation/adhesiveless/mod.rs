@@ -12,7 +12,7 @@
 //!
 //! Without adhesion nothing but S ≥ 0 decides what is in contact, chain by chain, and S falls along s ([`line`]): given Δ(t), no chain waits for another.
 //! Each knows the instants at which the edge passes it, as roots of its own S(t), and what it is between them in closed form; the strains are kept as
-//! Chebyshev series between the places where the edge turned. There are no steps in time: one stretch of the history is one move ([`edge`]). Where a force,
+//! Chebyshev series between the places where the edge turned. There are no steps in time: one segment of the history is one move ([`edge`]). Where a force,
 //! a frame or a radius is given, Δ is a polynomial on each panel of time that meets it at Chebyshev's nodes ([`imposed`], [`law`]).
 //!
 //! Errors come from the series: two courses of different fineness tell.

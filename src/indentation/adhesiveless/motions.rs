@@ -1,4 +1,4 @@
-//! Along a stretch of the history, drive after drive.
+//! Along a segment of the history, drive after drive.
 
 use super::course::Course;
 use super::drive::{Drive, Wave};
@@ -6,7 +6,7 @@ use super::edge::{Ended, Way};
 use super::ledger::Gone;
 use super::state::Look;
 use super::walk::Walk;
-use crate::indentation::stretch::Stretch;
+use crate::indentation::current_segment::CurrentSegment;
 use crate::refusal::Refusal;
 use std::f64::consts::TAU;
 
@@ -16,33 +16,33 @@ const MOST_TURNS: u32 = 100_000;
 const LONGEST_OF_CYCLE: f64 = 0.25;
 const LONGEST_OF_SWEEP: f64 = 1.0 / 24.0;
 
-/// An instant that is kept on the way through a stretch.
+/// An instant that is kept on the way through an interval.
 pub(super) struct Wanted {
-    /// Since the start of the stretch (s).
+    /// Since the start of the interval (s).
     pub(super) time: f64,
     /// Where it is imposed (m).
     pub(super) penetration: Option<f64>,
 }
 
 impl<'a> Course<'a> {
-    /// The next part of a stretch, as a drive of its own quantity.
-    pub(super) fn drive(&self, stretch: &Stretch, target: f64) -> Drive {
+    /// The next part of an interval, as a drive of its own quantity.
+    pub(super) fn drive(&self, current: &CurrentSegment, target: f64) -> Drive {
         let from = self.time;
-        let Some(oscillation) = stretch.segment.oscillation else {
-            return Drive::straight(stretch.value(from), stretch.value(target), target - from);
+        let Some(oscillation) = current.segment.oscillation else {
+            return Drive::straight(current.value(from), current.value(target), target - from);
         };
-        let duration = stretch.segment.duration;
+        let duration = current.segment.duration;
         let swept = oscillation.frequency.to_bits() != oscillation.end_frequency.to_bits();
         let longest = if swept { LONGEST_OF_SWEEP } else { LONGEST_OF_CYCLE } / oscillation.frequency_at(from, duration);
         // Not so little left that it is none.
         let target = if from + longest * (1.0 + 1e-9) < target { from + longest } else { target };
         if swept {
-            return Drive::fitted(stretch.value(from), target - from, |time| stretch.value(from + time));
+            return Drive::fitted(current.value(from), target - from, |time| current.value(from + time));
         }
         let phase = oscillation.angle(from, duration);
-        let mean = |time: f64| stretch.from + (stretch.segment.end - stretch.from) * (time / duration);
+        let mean = |time: f64| current.from + (current.segment.end - current.from) * (time / duration);
         let wave = Wave { amplitude: oscillation.amplitude, pace: TAU * oscillation.frequency, phase };
-        let start = stretch.value(from);
+        let start = current.value(from);
         Drive::straight(start, start + (mean(target) - mean(from)), target - from).with_wave(wave)
     }
 
@@ -83,7 +83,7 @@ impl<'a> Course<'a> {
                     self.record.new_piece();
                     self.corner();
                 }
-                Ended::Turned | Ended::Faint => self.turned(),
+                Ended::Turned | Ended::Unresolved => self.turned(),
                 Ended::Lost => self.lost(Some(drive.rate(time))),
             }
             if rest <= 4.0 * f64::EPSILON * drive.duration {
@@ -126,7 +126,7 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    /// Keeps the instants that a time of the stretch has reached, as the line is now.
+    /// Keeps the instants that a time of the interval has reached, as the line is now.
     pub(super) fn keep_reached(&mut self, wanted: &mut &[Wanted], time: f64) {
         while let Some((instant, later)) = wanted.split_first().filter(|(instant, _)| instant.time <= time) {
             *wanted = later;

@@ -4,7 +4,7 @@ use super::chain::Chain;
 use super::drive::{Drive, decayed};
 use super::edge::Way;
 use super::grid::{GRID, NODES, Nodal};
-use super::line::{Line, NARROWEST, Stretch};
+use super::line::{Interval, Line, NARROWEST};
 use super::moment::Moment;
 use super::times::{Guesses, leaving, touching};
 use crate::refusal::Refusal;
@@ -49,14 +49,14 @@ impl Edge<'_> {
 /// What a look at the same line a shorter time along the same drive has found.
 pub(super) struct Earlier {
     pub(super) end: Moment,
-    /// Where the edge was, and the stretches that it had passed.
+    /// Where the edge was, and the intervals that it had passed.
     pub(super) place: f64,
-    pub(super) stretches: Vec<Stretch>,
+    pub(super) intervals: Vec<Interval>,
 }
 
-/// Stretches that the edge has passed by a moment, at a later one of the same drive.
-fn later(chain: &Chain, mut stretches: Vec<Stretch>, before: Option<&Moment>, end: &Moment, way: Way) -> Vec<Stretch> {
-    let Some(before) = before else { return stretches };
+/// Intervals that the edge has passed by a moment, at a later one of the same drive.
+fn later(chain: &Chain, mut intervals: Vec<Interval>, before: Option<&Moment>, end: &Moment, way: Way) -> Vec<Interval> {
+    let Some(before) = before else { return intervals };
     let time = end.time - before.time;
     let changes: Vec<(f64, f64)> = match way {
         Way::Inwards => chain.voigt.iter().map(|&(rate, _)| (decayed(rate * time), 0.0)).collect(),
@@ -70,14 +70,14 @@ fn later(chain: &Chain, mut stretches: Vec<Stretch>, before: Option<&Moment>, en
                 .collect()
         }
     };
-    for stretch in &mut stretches {
-        for (values, (kept, gained)) in stretch.state.chunks_exact_mut(NODES).zip(&changes) {
+    for interval in &mut intervals {
+        for (values, (kept, gained)) in interval.state.chunks_exact_mut(NODES).zip(&changes) {
             for value in values {
                 *value = *value * kept + gained;
             }
         }
     }
-    stretches
+    intervals
 }
 
 impl Line<'_> {
@@ -95,8 +95,8 @@ impl Line<'_> {
         Ok(())
     }
 
-    /// The same up to a time of the drive, for a look at the line there, which is not gone on with: its stretches stay as they are. `earlier`: what a look at
-    /// an earlier time found. What it finds itself, without the stretches, and how many of these the edge has passed.
+    /// The same up to a time of the drive, for a look at the line there, which is not gone on with: its intervals stay as they are. `earlier`: what a look at
+    /// an earlier time found. What it finds itself, without the intervals, and how many of these the edge has passed.
     pub(super) fn passed(
         &mut self,
         drive: &Drive,
@@ -109,11 +109,11 @@ impl Line<'_> {
         let mut end = earlier.as_ref().map_or_else(Moment::default, |earlier| earlier.end.clone());
         end.set(self.chain, drive, until);
         end.set_free(self.chain, drive, until);
-        let this = self.without_stretches();
+        let this = self.without_intervals();
         let to = edge.map(|edge| edge.place(until));
         let (mut moment, mut scratch) = (end.clone(), Vec::new());
         let (before, place, known) = match earlier {
-            Some(earlier) => (Some(earlier.end), Some(earlier.place), earlier.stretches),
+            Some(earlier) => (Some(earlier.end), Some(earlier.place), earlier.intervals),
             None => (None, None, Vec::new()),
         };
         let since = before.as_ref().map_or(0.0, |before| before.time);
@@ -188,38 +188,38 @@ impl Line<'_> {
     }
 
     /// The edge goes inwards: `released` takes a chain with its place and height from u_i at the start to e_j at the end. `known`: the place from which on
-    /// outwards these stretches are what the edge has passed. How many stretches it has passed.
+    /// outwards these intervals are what the edge has passed. How many intervals it has passed.
     fn recede(
         &mut self,
         end: &Moment,
         edge: Option<f64>,
-        known: Option<(f64, Vec<Stretch>)>,
+        known: Option<(f64, Vec<Interval>)>,
         released: &mut dyn FnMut(f64, f64, &mut [f64]),
     ) -> usize {
         let (from, mut freed) = known.unwrap_or((f64::INFINITY, Vec::new()));
         let mut cut = None;
-        while let Some(stretch) = self.contact.pop() {
-            let place = snapped(&stretch, edge.unwrap_or_else(|| zero_in(&stretch, &self.pressed(&stretch, end)))).min(from);
-            if place >= stretch.high {
-                self.contact.push(stretch);
+        while let Some(interval) = self.contact.pop() {
+            let place = snapped(&interval, edge.unwrap_or_else(|| zero_in(&interval, &self.pressed(&interval, end)))).min(from);
+            if place >= interval.high {
+                self.contact.push(interval);
                 break;
             }
-            self.passes(&stretch, true);
+            self.passes(&interval, true);
             let mut parts = Vec::new();
             self.build(
-                (place.max(stretch.low), stretch.high.min(from)),
+                (place.max(interval.low), interval.high.min(from)),
                 false,
                 &mut |s, height, state| {
-                    stretch.at(s, state);
+                    interval.at(s, state);
                     released(s, height, state);
                 },
                 &mut parts,
             );
-            parts.iter_mut().for_each(|part| (part.off, part.then) = (stretch.off, stretch.then));
+            parts.iter_mut().for_each(|part| (part.off, part.then) = (interval.off, interval.then));
             parts.append(&mut freed);
             freed = parts;
-            if place > stretch.low {
-                cut = Some((stretch, place));
+            if place > interval.low {
+                cut = Some((interval, place));
                 break;
             }
         }
@@ -237,51 +237,51 @@ impl Line<'_> {
     }
 
     /// The edge goes outwards: `touched` takes a chain with its place and height from e_j at the start to u_i at the end. `known`: the place up to which these
-    /// stretches are what the edge has passed. How many stretches it has passed.
+    /// intervals are what the edge has passed. How many intervals it has passed.
     fn advance(
         &mut self,
         end: &Moment,
         to: Option<f64>,
-        known: Option<(f64, Vec<Stretch>)>,
+        known: Option<(f64, Vec<Interval>)>,
         touched: &mut dyn FnMut(f64, f64, &mut [f64]),
     ) -> Result<usize, Refusal> {
         let (from, mut gained) = known.unwrap_or((0.0, Vec::new()));
-        let mut rest: Vec<Stretch> = Vec::new();
+        let mut rest: Vec<Interval> = Vec::new();
         let (mut reached, mut stopped) = (self.radius().max(from), false);
-        for stretch in std::mem::take(&mut self.free) {
+        for interval in std::mem::take(&mut self.free) {
             if stopped {
-                rest.push(stretch);
+                rest.push(interval);
                 continue;
             }
-            if stretch.high <= from {
+            if interval.high <= from {
                 continue;
             }
             let (own, others) = (gained.len(), rest.len());
-            let place = snapped(&stretch, to.unwrap_or_else(|| zero_in(&stretch, &self.opened(&stretch, end)))).max(from);
-            if place > stretch.low {
-                self.passes(&stretch, false);
+            let place = snapped(&interval, to.unwrap_or_else(|| zero_in(&interval, &self.opened(&interval, end)))).max(from);
+            if place > interval.low {
+                self.passes(&interval, false);
                 self.build(
-                    (stretch.low.max(from), place),
+                    (interval.low.max(from), place),
                     true,
                     &mut |s, height, state| {
-                        stretch.at(s, state);
+                        interval.at(s, state);
                         touched(s, height, state);
                     },
                     &mut gained,
                 );
                 reached = place;
             }
-            stopped = place < stretch.high;
-            if stopped && place > stretch.low {
-                self.build((place, stretch.high), false, &mut |s, _, state| stretch.at(s, state), &mut rest);
+            stopped = place < interval.high;
+            if stopped && place > interval.low {
+                self.build((place, interval.high), false, &mut |s, _, state| interval.at(s, state), &mut rest);
             } else if stopped {
-                rest.push(stretch.clone());
+                rest.push(interval.clone());
             }
             gained
                 .iter_mut()
                 .skip(own)
                 .chain(rest.iter_mut().skip(others))
-                .for_each(|part| (part.off, part.then) = (stretch.off, stretch.then));
+                .for_each(|part| (part.off, part.then) = (interval.off, interval.then));
         }
         self.free = rest;
         if !stopped {
@@ -310,48 +310,48 @@ impl Line<'_> {
         let chain = self.chain;
         let mut freed = Vec::new();
         let mut scratch = Vec::new();
-        for stretch in std::mem::take(&mut self.contact) {
-            self.passes(&stretch, true);
+        for interval in std::mem::take(&mut self.contact) {
+            self.passes(&interval, true);
             let own = freed.len();
             self.build(
-                (stretch.low, stretch.high),
+                (interval.low, interval.high),
                 false,
                 &mut |s, height, state| {
-                    stretch.at(s, state);
+                    interval.at(s, state);
                     chain.released(depth - height, state, &mut scratch);
                 },
                 &mut freed,
             );
-            freed.iter_mut().skip(own).for_each(|part| (part.off, part.then) = (stretch.off, stretch.then));
+            freed.iter_mut().skip(own).for_each(|part| (part.off, part.then) = (interval.off, interval.then));
         }
         freed.append(&mut self.free);
         self.free = freed;
     }
 
-    fn without_stretches(&self) -> Self {
+    fn without_intervals(&self) -> Self {
         Self { contact: Vec::new(), free: Vec::new(), ..*self }
     }
 }
 
-/// Where S passes zero in a stretch; an end where it does not.
-fn zero_in(stretch: &Stretch, values: &Nodal) -> f64 {
+/// Where S passes zero in an interval; an end where it does not.
+fn zero_in(interval: &Interval, values: &Nodal) -> f64 {
     if values[NODES - 1] >= 0.0 {
-        stretch.high
+        interval.high
     } else if values[0] < 0.0 {
-        stretch.low
+        interval.low
     } else {
-        stretch.low + stretch.width() * GRID.part(GRID.falling_zero(values))
+        interval.low + interval.width() * GRID.part(GRID.falling_zero(values))
     }
 }
 
 /// The same, at an end where it is next to one.
-fn snapped(stretch: &Stretch, place: f64) -> f64 {
-    let near = NARROWEST * stretch.high;
+fn snapped(interval: &Interval, place: f64) -> f64 {
+    let near = NARROWEST * interval.high;
     // Beyond an end is at it, too.
-    if place - stretch.low <= near {
-        stretch.low
-    } else if stretch.high - place <= near {
-        stretch.high
+    if place - interval.low <= near {
+        interval.low
+    } else if interval.high - place <= near {
+        interval.high
     } else {
         place
     }

@@ -8,7 +8,7 @@ use crate::indentation::solution::{Energies, EventKind, PathPoint};
 impl Course<'_> {
     /// The contact has been lost now; `rate`: Δ̇, none where the time is given.
     pub(super) fn lost(&mut self, rate: Option<f64>) {
-        let at_axis = |index: usize| self.line.free.first().and_then(|stretch| stretch.term(index).first()).copied().unwrap_or(0.0);
+        let at_axis = |index: usize| self.line.free.first().and_then(|interval| interval.term(index).first()).copied().unwrap_or(0.0);
         let recovering: f64 = self.chain.voigt.iter().enumerate().map(|(index, (slowness, _))| slowness * at_axis(index)).sum();
         // S = Δ − f − Σe_j on the axis, where the contact is lost last.
         self.losses.push(rate.map_or(Loss::GIVEN, |rate| Loss { depth_rate: rate, falling: -(rate + recovering) }));
@@ -52,8 +52,8 @@ impl Course<'_> {
         point.energies = look.energies.map(|now| self.account(now, &sums, sudden));
         self.record.trace.work.steps += 1;
         self.record.push(point);
-        if let Some(meter) = &mut self.meter {
-            meter.passed(&point, &sums);
+        if let Some(cycle_integrals) = &mut self.cycle_integrals {
+            cycle_integrals.passed(&point, &sums);
         }
     }
 

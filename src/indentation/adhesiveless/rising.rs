@@ -2,20 +2,20 @@
 
 use super::drive::DEGREE;
 use super::grid::{GRID, NODES, Nodal, dot};
-use super::line::{Line, Stretch};
+use super::line::{Interval, Line};
 use super::linear::Row;
 
-/// p(s) at each node of a panel: a share of the heights and one of each term, stretch after stretch. Its values within a stretch are added up where they
+/// p(s) at each node of a panel: a share of the heights and one of each term, interval after interval. Its values within an interval are added up where they
 /// are asked for, once.
 pub(super) struct Rising<'l> {
     start: f64,
-    stretches: &'l [Stretch],
+    intervals: &'l [Interval],
     of_heights: f64,
     of_terms: Vec<Row>,
-    /// p where the first stretch starts, and where each one ends.
+    /// p where the first interval starts, and where each one ends.
     first: Option<Row>,
     ends: Vec<Row>,
-    /// ∫p ds up to each stretch, and over all.
+    /// ∫p ds up to each interval, and over all.
     before: Vec<Row>,
     whole: Row,
     seen: [Option<Seen>; DEGREE],
@@ -23,7 +23,7 @@ pub(super) struct Rising<'l> {
     settled: f64,
 }
 
-/// Where a level was met last: the stretch, p at its places, ∫p ds over its width from its low end to each, and ξ.
+/// Where a level was met last: the interval, p at its places, ∫p ds over its width from its low end to each, and ξ.
 #[derive(Clone, Copy)]
 struct Seen {
     index: usize,
@@ -37,7 +37,7 @@ struct Seen {
 pub(super) struct Reached {
     pub(super) area: f64,
     pub(super) place: f64,
-    /// Whether it is above the last stretch too.
+    /// Whether it is above the last interval too.
     pub(super) beyond: bool,
 }
 
@@ -45,32 +45,32 @@ pub(super) struct Reached {
 const OF_SERIES: f64 = 1e-3;
 
 impl<'l> Rising<'l> {
-    fn new((start, tolerance): (f64, f64), stretches: &'l [Stretch], of_heights: f64, of_terms: Vec<Row>) -> Self {
-        let sums = |of: &dyn Fn(&[f64]) -> f64, heights: f64, stretch: &Stretch| -> Row {
+    fn new((start, tolerance): (f64, f64), intervals: &'l [Interval], of_heights: f64, of_terms: Vec<Row>) -> Self {
+        let sums = |of: &dyn Fn(&[f64]) -> f64, heights: f64, interval: &Interval| -> Row {
             let mut row = [of_heights * heights; DEGREE];
             for (index, shares) in of_terms.iter().enumerate() {
-                let sum = of(stretch.term(index));
+                let sum = of(interval.term(index));
                 for (value, share) in row.iter_mut().zip(shares) {
                     *value += share * sum;
                 }
             }
             row
         };
-        let at = |stretch: &Stretch, k: usize| sums(&|term| term.get(k).copied().unwrap_or(0.0), stretch.heights[k], stretch);
-        let first = stretches.first().map(|stretch| at(stretch, 0));
-        let ends = stretches.iter().map(|stretch| at(stretch, NODES - 1)).collect();
+        let at = |interval: &Interval, k: usize| sums(&|term| term.get(k).copied().unwrap_or(0.0), interval.heights[k], interval);
+        let first = intervals.first().map(|interval| at(interval, 0));
+        let ends = intervals.iter().map(|interval| at(interval, NODES - 1)).collect();
         let mut whole = [0.0; DEGREE];
-        let mut before = Vec::with_capacity(stretches.len());
-        for stretch in stretches {
+        let mut before = Vec::with_capacity(intervals.len());
+        for interval in intervals {
             before.push(whole);
-            let own = sums(&|term| dot(&GRID.weights, term), GRID.integral(&stretch.heights), stretch);
+            let own = sums(&|term| dot(&GRID.weights, term), GRID.integral(&interval.heights), interval);
             for (whole, own) in whole.iter_mut().zip(own) {
-                *whole += stretch.width() * own;
+                *whole += interval.width() * own;
             }
         }
         Self {
             start,
-            stretches,
+            intervals,
             of_heights,
             of_terms,
             first,
@@ -91,17 +91,17 @@ impl<'l> Rising<'l> {
     }
 
     fn end(&self) -> f64 {
-        self.stretches.last().map_or(self.start, |stretch| stretch.high)
+        self.intervals.last().map_or(self.start, |interval| interval.high)
     }
 
-    /// The whole area between a level and all stretches, above or below.
+    /// The whole area between a level and all intervals, above or below.
     pub(super) fn under(&self, k: usize, level: f64) -> f64 {
         level * (self.end() - self.start) - self.whole[k]
     }
 
-    /// p at the places of a stretch.
-    fn values(&self, k: usize, stretch: &Stretch) -> Nodal {
-        stretch.weighted(self.of_heights, self.of_terms.iter().map(|shares| shares[k]))
+    /// p at the places of an interval.
+    fn values(&self, k: usize, interval: &Interval) -> Nodal {
+        interval.weighted(self.of_heights, self.of_terms.iter().map(|shares| shares[k]))
     }
 
     pub(super) fn reached(&mut self, k: usize, level: f64) -> Reached {
@@ -109,29 +109,29 @@ impl<'l> Rising<'l> {
             return Reached { area: 0.0, place: self.start, beyond: false };
         }
         let index = self.ends.partition_point(|end| end[k] < level);
-        let (Some(stretch), Some(before)) = (self.stretches.get(index), self.before.get(index)) else {
+        let (Some(interval), Some(before)) = (self.intervals.get(index), self.before.get(index)) else {
             return Reached { area: self.under(k, level), place: self.end(), beyond: true };
         };
         let seen = self.seen[k].filter(|seen| seen.index == index);
         let (values, running) = seen.map_or_else(
             || {
-                let values = self.values(k, stretch);
+                let values = self.values(k, interval);
                 (values, GRID.running(&values))
             },
             |seen| (seen.values, seen.running),
         );
         let xi = GRID.falling_zero_near(&values.map(|value| level - value), seen.map(|seen| seen.xi), self.settled);
-        let place = stretch.low + stretch.width() * GRID.part(xi);
-        let own = stretch.width() * GRID.value(xi, &running);
+        let place = interval.low + interval.width() * GRID.part(xi);
+        let own = interval.width() * GRID.value(xi, &running);
         self.seen[k] = Some(Seen { index, values, running, xi });
         Reached { area: level * (place - self.start) - (before[k] + own), place, beyond: false }
     }
 
-    /// p at a place; none beyond the last stretch.
+    /// p at a place; none beyond the last interval.
     pub(super) fn value(&self, k: usize, place: f64) -> Option<f64> {
-        let stretch = self.stretches.iter().find(|stretch| place <= stretch.high)?;
-        let values = self.values(k, stretch);
-        Some(dot(&GRID.at(place - stretch.low, stretch.high - place), &values))
+        let interval = self.intervals.iter().find(|interval| place <= interval.high)?;
+        let values = self.values(k, interval);
+        Some(dot(&GRID.at(place - interval.low, interval.high - place), &values))
     }
 }
 
@@ -148,11 +148,11 @@ impl Line<'_> {
         Rising::new((self.radius(), self.tolerance), &self.free, 1.0, recovered.to_vec())
     }
 
-    /// Places between two at which stretches meet.
+    /// Places between two at which intervals meet.
     pub(super) fn borders(&self, one: f64, other: f64) -> impl Iterator<Item = f64> {
         let (low, high) = (one.min(other), one.max(other));
         let clear = 1e-9 * high;
-        let ends = self.contact.iter().chain(&self.free).flat_map(|stretch| [stretch.low, stretch.high]);
+        let ends = self.contact.iter().chain(&self.free).flat_map(|interval| [interval.low, interval.high]);
         ends.filter(move |place| *place > low + clear && *place < high - clear)
     }
 }

@@ -5,23 +5,23 @@ use super::course::{Course, Fineness, Left, Loss, Unknown};
 use super::fresh::Fresh;
 use super::line::Line;
 use crate::estimate::Estimate;
+use crate::indentation::assessment::with_errors;
 use crate::indentation::checkpoint::Watch;
 use crate::indentation::cycle::Cycle;
 use crate::indentation::fields::SurfaceFields;
 use crate::indentation::history::{Controlled, Segment};
-use crate::indentation::judgement::with_errors;
 use crate::indentation::panel::Panel;
 use crate::indentation::problem::IndentationProblem;
 use crate::indentation::profile::Profile;
 use crate::indentation::solution::{EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 
 /// Series of the finest course, and how much finer each is than the one before.
 const FINEST: f64 = 1e-13;
 const COARSER: f64 = 10.0;
-/// Tolerances that say so to who judges: the bound of a course that a finer one is beside is twice the change, of the finest course six times. Three times missed one
-/// of 1,178,026 values of 10,000 scenes, by 2 %.
+/// Tolerances that say so to what assesses them: the bound of a course that a finer one is beside is twice the change, of the finest course six times. Three times
+/// missed one of 1,178,026 values of 10,000 scenes, by 2 %.
 const BY_FINER: f64 = 300.0;
 const BY_COARSER: f64 = 50.0;
 /// What rounding leaves of the energy lost, over the work done; what series leave of both is mostly more.
@@ -30,7 +30,7 @@ const OF_DIFFERENCE: f64 = 1e-13;
 pub(super) const OF_LAST: f64 = 4.0;
 /// Both amplitudes of a cycle are half a swing, of which the sums leave their part.
 const OF_AMPLITUDES: f64 = 4.0;
-/// Slope of S over f′ that is told from none.
+/// Slope of S over f′ that is distinguished from none.
 const SOFTEST: f64 = 1e4;
 /// Series over the accuracy, and sums over the time: where they leave too much, a finer course shows it and is taken.
 const OF_ACCURACY: f64 = 3e-2;
@@ -50,7 +50,7 @@ fn fineness(accuracy: f64, level: u32) -> Fineness {
 
 /// Solves a history without adhesion to its accuracy.
 pub(in crate::indentation) fn solve(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     watch: Option<&dyn Watch>,
 ) -> Result<IndentationSolution, Refusal> {
@@ -176,7 +176,7 @@ fn within(solution: &IndentationSolution, accuracy: f64) -> bool {
     };
     let energies: Vec<Estimate> = accounts.iter().flat_map(|[stored, _, work, lost]| [*stored, *work, *lost]).collect();
     let powers: Vec<Estimate> = accounts.iter().map(|[_, power, ..]| *power).collect();
-    solution.smallest_gap_factor >= -OVERLAP * solution.march.summary.scales[0]
+    solution.smallest_gap_factor >= -OVERLAP * solution.integration.summary.scales[0]
         && instants.iter().all(|of| within(&solution.instants.iter().map(of).collect::<Vec<_>>()))
         && cycles.iter().all(|of| within(&solution.cycles.iter().flat_map(of).collect::<Vec<_>>()))
         && within(&solution.cycles.iter().map(|cycle| cycle.work).collect::<Vec<_>>())
@@ -185,7 +185,7 @@ fn within(solution: &IndentationSolution, accuracy: f64) -> bool {
 }
 
 /// One course, as fine as an accuracy asks for.
-pub(in crate::indentation) fn course(material: &Material, problem: &IndentationProblem, accuracy: f64) -> Result<Trace, Refusal> {
+pub(in crate::indentation) fn course(material: &PlaneMaterial, problem: &IndentationProblem, accuracy: f64) -> Result<Trace, Refusal> {
     let (chain, fresh) = (Chain::new(material)?, Fresh::of(&problem.profile));
     let (mut trace, _) = Course::new(&chain, problem, &fresh, fineness(accuracy, 1)).through(&[])?;
     trace.tolerance = accuracy;
@@ -229,8 +229,8 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         energies.filter_map(|energies| energies.get(place).copied()).fold(0.0, |most: f64, energy| most.max(energy.value.abs()))
     };
     let (most_stored, most_power) = (largest(0), largest(1));
-    let depth = solution.march.summary.scales[0].max(f64::MIN_POSITIVE);
-    let widest = solution.march.summary.scales[2];
+    let depth = solution.integration.summary.scales[0].max(f64::MIN_POSITIVE);
+    let widest = solution.integration.summary.scales[2];
     let fastest = 2.0 * chain.maxwell.iter().map(|(modulus, rho)| modulus / rho).sum::<f64>();
     let widen_energies = |[stored, power, work, lost]: &mut [Estimate; 4], left: &Left| {
         // Both are sums of squares of strains, of which each may be off by as much (Cauchy and Schwarz).
@@ -259,7 +259,8 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         event.energies.iter_mut().for_each(|energies| widen_energies(energies, &own_last));
     }
     // Nothing is in contact, unless the loss may be still to come: not where a step lets go, before which there is a point at the same time.
-    let at_a_step = |time: f64| solution.march.path.iter().any(|point| point.time.total_cmp(&time).is_eq() && point.contact_radius > 0.0);
+    let at_a_step =
+        |time: f64| solution.integration.path.iter().any(|point| point.time.total_cmp(&time).is_eq() && point.contact_radius > 0.0);
     let lost: Vec<Estimate> = solution.events.iter().map(|event| event.time).filter(|time| !at_a_step(time.value)).collect();
     let of_none = |time: f64, unknown: f64| {
         let beside = lost.iter().any(|lost| (lost.value - time).abs() <= lost.error);
@@ -267,8 +268,8 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     };
     // Points between instants: what two instants impose is imposed between them.
     let controls: Vec<Controlled> = imposed.clone().collect();
-    for (index, (errors, point)) in solution.path_errors.iter_mut().zip(&solution.march.path).enumerate() {
-        let after = solution.march.kept.partition_point(|kept| *kept < index);
+    for (index, (errors, point)) in solution.path_errors.iter_mut().zip(&solution.integration.path).enumerate() {
+        let after = solution.integration.kept.partition_point(|kept| *kept < index);
         let given = |quantity: Controlled| [after.saturating_sub(1), after].iter().all(|kept| controls.get(*kept) == Some(&quantity));
         let a = point.contact_radius;
         let of_radius = if a > 0.0 { of_edge(a, None, unknown) } else { of_none(point.time, unknown) };
@@ -317,13 +318,13 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
 
 /// Fineness of the course behind a surface: the error of a surface counts its panels only.
 const OF_SURFACE: Fineness = Fineness { series: 1e-12, sums: FINEST_SUMS };
-/// Grades of the panels of a surface towards the ends of each stretch of the line, more finely and less, and what a panel that needs no more may leave, over
+/// Grades of the panels of a surface towards the ends of each interval of the line, more finely and less, and what a panel that needs no more may leave, over
 /// the largest value there.
 const GRADES: [(i32, f64); 2] = [(10, 1e-13), (7, 1e-11)];
 
 /// The contact at a time of a history that has been solved, and its surface twice: as it is, and with coarser panels, for the error.
 pub(in crate::indentation) fn surface_at(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     solved: &Trace,
     time: f64,
@@ -335,15 +336,15 @@ pub(in crate::indentation) fn surface_at(
         let graded = |low: f64, high: f64, sample: &dyn Fn(f64) -> f64| graded((low, high), grades, leaves, sample);
         let (mut load, mut displacement) = (Vec::new(), Vec::new());
         let soft = chain.relaxed / chain.glassy;
-        for stretch in &line.contact {
-            let springs = stretch.weighted(0.0, chain.maxwell.iter().map(|(modulus, _)| modulus / chain.glassy));
-            let pressing = |s: f64| soft * (depth - profile.line(s)) + stretch.value(s, &springs);
-            load.extend(graded(stretch.low, stretch.high, &|s| chain.glassy * pressing(s)));
-            displacement.extend(graded(stretch.low, stretch.high, &|s| depth - profile.line(s)));
+        for interval in &line.contact {
+            let springs = interval.weighted(0.0, chain.maxwell.iter().map(|(modulus, _)| modulus / chain.glassy));
+            let pressing = |s: f64| soft * (depth - profile.line(s)) + interval.value(s, &springs);
+            load.extend(graded(interval.low, interval.high, &|s| chain.glassy * pressing(s)));
+            displacement.extend(graded(interval.low, interval.high, &|s| depth - profile.line(s)));
         }
-        for stretch in &line.free {
-            let strains = stretch.weighted(0.0, std::iter::repeat_n(1.0, chain.terms()));
-            displacement.extend(graded(stretch.low, stretch.high, &|s| stretch.value(s, &strains)));
+        for interval in &line.free {
+            let strains = interval.weighted(0.0, std::iter::repeat_n(1.0, chain.terms()));
+            displacement.extend(graded(interval.low, interval.high, &|s| interval.value(s, &strains)));
         }
         SurfaceFields::made_of(line.radius(), load, displacement)
     };
@@ -361,7 +362,7 @@ pub(in crate::indentation) fn surface_at(
     Ok((point, GRADES.map(surface)))
 }
 
-/// Panels of a stretch, each a quarter of the one before towards both ends, until one is enough.
+/// Panels of an interval, each a quarter of the one before towards both ends, until one is enough.
 fn graded((low, high): (f64, f64), grades: i32, leaves: f64, sample: &dyn Fn(f64) -> f64) -> Vec<Panel> {
     let half = 0.5 * (high - low);
     let mut largest = 0.0_f64;

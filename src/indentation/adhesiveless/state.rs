@@ -32,7 +32,7 @@ impl Look {
     }
 }
 
-/// Part of a stretch before its edge over which S is seen to fall.
+/// Part of an interval before its edge over which S is seen to fall.
 const CLOSE: f64 = 1e-3;
 
 impl Line<'_> {
@@ -42,8 +42,8 @@ impl Line<'_> {
         let mut moment = Moment::default();
         moment.set(self.chain, drive, time);
         let (mut sum, mut radius, mut slope) = (0.0, 0.0, self.profile.line_slope(0.0));
-        for stretch in &self.contact {
-            let pressed = self.pressed(stretch, &moment);
+        for interval in &self.contact {
+            let pressed = self.pressed(interval, &moment);
             // What has relaxed presses no more, and is in contact.
             if pressed[0] < 0.0 {
                 break;
@@ -51,12 +51,12 @@ impl Line<'_> {
             let whole = pressed[NODES - 1] >= 0.0;
             let xi = if whole { 1.0 } else { GRID.falling_zero(&pressed) };
             let part = if whole { 1.0 } else { GRID.part(xi) };
-            sum += stretch.width() * if whole { GRID.integral(&pressed) } else { GRID.integral_to(xi, &pressed) };
-            radius = if whole { stretch.high } else { stretch.low + stretch.width() * part };
+            sum += interval.width() * if whole { GRID.integral(&pressed) } else { GRID.integral_to(xi, &pressed) };
+            radius = if whole { interval.high } else { interval.low + interval.width() * part };
             let inner = GRID.parts.iter().rposition(|other| *other < part * (1.0 - CLOSE)).unwrap_or(0);
             let edge = if whole { pressed[NODES - 1] } else { 0.0 };
             if part > GRID.parts[inner] {
-                slope = (pressed[inner] - edge) / (stretch.width() * (part - GRID.parts[inner]));
+                slope = (pressed[inner] - edge) / (interval.width() * (part - GRID.parts[inner]));
             }
             if !whole {
                 break;
@@ -69,13 +69,13 @@ impl Line<'_> {
     /// S at a place now.
     pub(super) fn pressing_at(&self, place: f64) -> f64 {
         let mut state = vec![0.0; self.chain.terms()];
-        if let Some(stretch) = self.contact.iter().find(|stretch| place <= stretch.high) {
-            stretch.at(place, &mut state);
+        if let Some(interval) = self.contact.iter().find(|interval| place <= interval.high) {
+            interval.at(place, &mut state);
             let soft = self.chain.relaxed / self.chain.glassy * (self.penetration - self.profile.line(place));
             return soft + self.chain.maxwell.iter().zip(&state).map(|((modulus, _), u)| modulus / self.chain.glassy * u).sum::<f64>();
         }
-        if let Some(stretch) = self.free.iter().find(|stretch| place <= stretch.high) {
-            stretch.at(place, &mut state);
+        if let Some(interval) = self.free.iter().find(|interval| place <= interval.high) {
+            interval.at(place, &mut state);
         }
         self.penetration - self.profile.line(place) - state.iter().sum::<f64>()
     }
@@ -84,39 +84,39 @@ impl Line<'_> {
     pub(super) fn rested(&mut self, penetration: f64) -> Result<(), Refusal> {
         self.went_to(penetration);
         let edge = self.virgin_edge(penetration, 0.0)?;
-        let mut stretches = Vec::new();
+        let mut intervals = Vec::new();
         if edge > 0.0 && penetration > 0.0 {
-            self.build((0.0, edge), true, &mut |_, _, state| state.fill(0.0), &mut stretches);
+            self.build((0.0, edge), true, &mut |_, _, state| state.fill(0.0), &mut intervals);
         }
-        self.contact = stretches;
+        self.contact = intervals;
         Ok(())
     }
 
     /// All of a punch is touched, at the penetration of now.
     pub(super) fn touch_rim(&mut self) {
         let (rim, depth, chain) = (self.profile.rim(), self.penetration, self.chain);
-        let (free, mut scratch, mut stretches) = (std::mem::take(&mut self.free), Vec::new(), Vec::new());
+        let (free, mut scratch, mut intervals) = (std::mem::take(&mut self.free), Vec::new(), Vec::new());
         self.build(
             (0.0, rim),
             true,
             &mut |place, height, state| {
-                match free.iter().find(|stretch| place <= stretch.high) {
-                    Some(stretch) => stretch.at(place, state),
+                match free.iter().find(|interval| place <= interval.high) {
+                    Some(interval) => interval.at(place, state),
                     None => state.fill(0.0),
                 }
                 chain.touched(depth - height, state, &mut scratch);
             },
-            &mut stretches,
+            &mut intervals,
         );
-        self.contact = stretches;
+        self.contact = intervals;
     }
 
     /// The least of what must not be negative, Q/E∞* inside and D outside (m), and what Q leaves at the edge, over the depth.
     pub(super) fn least(&self) -> (f64, f64) {
         let mut least = f64::INFINITY;
         let mut at_edge = 0.0;
-        for stretch in &self.contact {
-            let load = self.load(stretch);
+        for interval in &self.contact {
+            let load = self.load(interval);
             least = load.iter().fold(least, |least: f64, q| least.min(q / self.chain.glassy));
             at_edge = load[NODES - 1] / self.chain.glassy;
         }
@@ -124,9 +124,9 @@ impl Line<'_> {
             // A rim may be pressed.
             at_edge = 0.0;
         }
-        for stretch in &self.free {
-            for (k, height) in stretch.heights.iter().enumerate() {
-                let surface: f64 = (0..self.chain.terms()).map(|index| stretch.term(index).get(k).copied().unwrap_or(0.0)).sum();
+        for interval in &self.free {
+            for (k, height) in interval.heights.iter().enumerate() {
+                let surface: f64 = (0..self.chain.terms()).map(|index| interval.term(index).get(k).copied().unwrap_or(0.0)).sum();
                 least = least.min(surface - (self.penetration - height));
             }
         }
@@ -141,13 +141,13 @@ impl Line<'_> {
     pub(super) fn slope_at_edge(&self) -> f64 {
         let falls = |values: [f64; 2], places: [f64; 2]| (values[0] - values[1]) / (places[1] - places[0]);
         let virgin = self.profile.line_slope(self.radius());
-        let inside = self.contact.last().map_or(virgin, |stretch| {
-            let load = self.load(stretch).map(|load| load / self.chain.glassy);
-            falls([load[NODES - 2], load[NODES - 1]], [stretch.place(NODES - 2), stretch.high])
+        let inside = self.contact.last().map_or(virgin, |interval| {
+            let load = self.load(interval).map(|load| load / self.chain.glassy);
+            falls([load[NODES - 2], load[NODES - 1]], [interval.place(NODES - 2), interval.high])
         });
-        let outside = self.free.first().map_or(virgin, |stretch| {
-            let surface = stretch.weighted(-1.0, std::iter::repeat_n(-1.0, self.chain.terms()));
-            falls([surface[0], surface[1]], [stretch.low, stretch.place(1)])
+        let outside = self.free.first().map_or(virgin, |interval| {
+            let surface = interval.weighted(-1.0, std::iter::repeat_n(-1.0, self.chain.terms()));
+            falls([surface[0], surface[1]], [interval.low, interval.place(1)])
         });
         inside.min(outside)
     }
@@ -158,15 +158,15 @@ impl Line<'_> {
         let (mut own, mut theirs, mut scratch) = (vec![0.0; terms], vec![0.0; terms], Vec::new());
         let mut most = 0.0_f64;
         let dashpots = |line: &Self, place: f64, state: &mut [f64], scratch: &mut Vec<f64>| {
-            if let Some(stretch) = line.contact.iter().find(|stretch| place <= stretch.high) {
-                stretch.at(place, state);
+            if let Some(interval) = line.contact.iter().find(|interval| place <= interval.high) {
+                interval.at(place, state);
                 let under = line.penetration - line.profile.line(place);
                 for u in state.iter_mut() {
                     *u = under - *u;
                 }
             } else {
-                match line.free.iter().find(|stretch| place <= stretch.high) {
-                    Some(stretch) => stretch.at(place, state),
+                match line.free.iter().find(|interval| place <= interval.high) {
+                    Some(interval) => interval.at(place, state),
                     None => state.fill(0.0),
                 }
                 line.chain.touched(0.0, state, scratch);
@@ -176,9 +176,9 @@ impl Line<'_> {
             }
         };
         for (one, another) in [(self, other), (other, self)] {
-            for stretch in one.contact.iter().chain(&one.free) {
+            for interval in one.contact.iter().chain(&one.free) {
                 for k in 0..NODES {
-                    let place = stretch.place(k);
+                    let place = interval.place(k);
                     dashpots(one, place, &mut own, &mut scratch);
                     dashpots(another, place, &mut theirs, &mut scratch);
                     most = own.iter().zip(&theirs).fold(most, |most, (own, theirs)| most.max((own - theirs).abs()));

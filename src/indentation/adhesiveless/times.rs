@@ -39,7 +39,7 @@ pub(super) fn touching(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64
     })
 }
 
-/// Times of chain after chain along a stretch, each of which is guessed from those before it: they are smooth from place to place of its grid.
+/// Times of chain after chain along an interval, each of which is guessed from those before it: they are smooth from place to place of its grid.
 #[derive(Default)]
 pub(super) struct Guesses {
     place: f64,
@@ -50,7 +50,7 @@ pub(super) struct Guesses {
 
 impl Guesses {
     pub(super) fn next(&mut self, place: f64) -> f64 {
-        // Places fall, or stand still, where another stretch begins.
+        // Places fall, or stand still, where another interval begins.
         if place <= self.place {
             self.known = self.known.min(1);
         }
@@ -99,7 +99,7 @@ fn rising_zero(by: f64, guess: f64, settled: f64, mut function: impl FnMut(f64) 
         let next = if fine {
             newton
         } else if low == 0.0 && high > 0.0 {
-            // Times may be far shorter than the stretch.
+            // Times may be far shorter than the interval.
             0.1 * high
         } else {
             0.5 * (low + high)

@@ -9,14 +9,14 @@ use super::moment::Moment;
 use super::path_history::Earlier;
 use crate::refusal::Refusal;
 
-/// Stretches that are gone on with, at most: each look adds one of its own, however short, and all of them are looked at.
-const MOST_STRETCHES: usize = 24;
+/// Intervals that are gone on with, at most: each look adds one of its own, however short, and all of them are looked at.
+const MOST_INTERVALS: usize = 24;
 
 /// Looks along a drive.
 pub(super) struct Walk<'w, 'g, 'a> {
     gone: &'w Gone<'g, 'a>,
     line: Line<'a>,
-    /// The last look, and how many stretches the edge has passed there.
+    /// The last look, and how many intervals the edge has passed there.
     last: Option<(Moment, usize)>,
 }
 
@@ -40,13 +40,13 @@ impl<'w, 'g, 'a> Walk<'w, 'g, 'a> {
 
     /// What the last look found, if a later one can go on from there.
     fn earlier(&mut self, time: f64, way: Way) -> Option<Earlier> {
-        let (end, count) = self.last.take().filter(|(end, count)| end.time <= time && *count <= MOST_STRETCHES)?;
+        let (end, count) = self.last.take().filter(|(end, count)| end.time <= time && *count <= MOST_INTERVALS)?;
         let place = self.line.radius();
-        let stretches = match way {
+        let intervals = match way {
             Way::Inwards => self.line.free.drain(..count.min(self.line.free.len())).collect(),
             Way::Outwards => self.line.contact.split_off(self.line.contact.len().saturating_sub(count)),
         };
-        Some(Earlier { end, place, stretches })
+        Some(Earlier { end, place, intervals })
     }
 
     /// F at a time.
@@ -78,7 +78,7 @@ impl Line<'_> {
     fn pressing_after(&self, drive: &Drive, time: f64) -> f64 {
         let mut moment = Moment::default();
         moment.set(self.chain, drive, time);
-        let sum: f64 = self.contact.iter().map(|stretch| stretch.width() * GRID.integral(&self.pressed(stretch, &moment))).sum();
+        let sum: f64 = self.contact.iter().map(|interval| interval.width() * GRID.integral(&self.pressed(interval, &moment))).sum();
         2.0 * self.chain.glassy * sum
     }
 }

@@ -4,9 +4,9 @@
 //! [`SHORT`] of the shortest relaxation time keep their digits. At the end the edge is put where the step leads: in frozen time the contact depends on where the edge
 //! and the indenter are and not on the way.
 
-use super::drive::{Branch, Instant, Stretch};
+use super::drive::{Branch, DriveSegment, Instant};
 use super::followed::State;
-use super::march::March;
+use super::integration::Integration;
 use super::path::{Chart, passed};
 use serde::{Deserialize, Serialize};
 
@@ -27,20 +27,20 @@ pub(super) struct AtOnce {
     value: f64,
 }
 
-impl March<'_> {
+impl Integration<'_> {
     /// t a time after the origin: a sudden step takes none.
     pub(super) fn time_after(&self, time: f64) -> f64 {
         self.at_once.map_or(self.line.time + time, |step| step.time)
     }
 
-    /// A sudden stretch begins from a value, at which Δ and its memory are as given.
-    pub(super) fn begins_at_once(&mut self, stretch: &Stretch, value: f64, now: Instant) {
-        self.at_once = Some(AtOnce { time: self.line.time, rest: self.line.rest.1, value: stretch.end });
+    /// A sudden segment begins from a value, at which Δ and its memory are as given.
+    pub(super) fn begins_at_once(&mut self, drive_segment: &DriveSegment, value: f64, now: Instant) {
+        self.at_once = Some(AtOnce { time: self.line.time, rest: self.line.rest.1, value: drive_segment.end });
         (self.line.time, self.line.rest.1) = (0.0, 0.0);
         let [shortest, _] = self.problem.chain.times(true);
-        let ramp = Stretch { duration: SHORT * shortest, ..stretch.clone() };
+        let ramp = DriveSegment { duration: SHORT * shortest, ..drive_segment.clone() };
         self.branch = ramp.branch(0.0, value, now.memory.clone());
-        self.state = stretch.control.map(|_| State { depth: now.depth, rate: 0.0, memory: now.memory });
+        self.state = drive_segment.control.map(|_| State { depth: now.depth, rate: 0.0, memory: now.memory });
     }
 
     /// The step is over, or has led to no contact: the clock of the history goes on.
@@ -56,7 +56,7 @@ impl March<'_> {
         self.setting(false).still(&mut now);
         (self.line.time, self.line.rest.1) = (step.time, step.rest);
         let control = self.branch.control;
-        let still = Stretch { control, end: step.value, duration: 0.0, oscillation: None, segment: 0 };
+        let still = DriveSegment { control, end: step.value, duration: 0.0, oscillation: None, segment: 0 };
         self.branch = still.branch(step.time, step.value, now.memory);
         if in_contact {
             let row = self.row(None, 0.0);
@@ -102,7 +102,7 @@ impl March<'_> {
         self.start_residual = self.sudden(0.0);
     }
 
-    /// The edge goes a way in no time, within one segment of the past.
+    /// The edge goes a way in no time, within one segment of the path history.
     pub(super) fn goes_at_once(&mut self, way: f64) {
         let values = vec![0.0; self.points.p + 1];
         let segment = passed(&self.points, &self.setting(way > 0.0), Chart::TimeOfPlace, way, &values, &[]);

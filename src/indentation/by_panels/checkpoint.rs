@@ -5,11 +5,11 @@
 
 use super::at_once::AtOnce;
 use super::cycles::Cycles;
-use super::drive::{Branch, Stretch};
+use super::drive::{Branch, DriveSegment};
 use super::events::Mark;
 use super::followed::State;
+use super::integration::Integration;
 use super::line::{Line, Segment};
-use super::march::March;
 use super::path::Chart;
 use super::problem::{End, Outcome};
 use crate::indentation::checkpoint::{Checkpoint, RunState, foreign};
@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(in crate::indentation) struct PanelsState {
     pub(super) run: PathsState,
-    pub(super) march: MarchState,
+    pub(super) integration: IntegrationState,
 }
 
 /// What a run has besides the path under way.
@@ -36,20 +36,20 @@ pub(super) struct PathsState {
     pub(super) ends: Vec<(Vec<EventKind>, End)>,
     /// Paths of the last round that can be compared.
     pub(super) best: Option<Vec<Trace>>,
-    /// Stretches that end early.
+    /// Segments that end early.
     pub(super) stops: Vec<(usize, f64)>,
     pub(super) work: IndentationWork,
 }
 
 /// A path between two panels.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct MarchState {
+pub(super) struct IntegrationState {
     line: Line,
     upcoming: usize,
     branch: Branch,
     at_once: Option<AtOnce>,
     marks: Vec<Mark>,
-    past: Option<(bool, Segment, f64)>,
+    previous: Option<(bool, Segment, f64)>,
     span: (Chart, f64),
     /// To the turn, since the turn, residual and rate at the start, stiffness, residual of the last panel.
     numbers: [f64; 6],
@@ -61,7 +61,7 @@ pub(super) struct MarchState {
     met: usize,
     cycles: Option<Cycles>,
     rows: RecordState,
-    /// Before the stretch or cycle under way: panels; closures and their nodes.
+    /// Before the segment or cycle under way: panels; closures and their nodes.
     work: [u64; 3],
     outcome: Outcome,
 }
@@ -73,8 +73,8 @@ pub(super) struct PanelObserver<'a> {
     pub(super) run: &'a PathsState,
 }
 
-impl March<'_> {
-    fn checkpoint(&self) -> MarchState {
+impl Integration<'_> {
+    fn checkpoint(&self) -> IntegrationState {
         // Every field is named: a new one must be given a place, or a reason.
         let Self {
             problem: _,
@@ -87,7 +87,7 @@ impl March<'_> {
             branch,
             at_once,
             marks,
-            past,
+            previous,
             span,
             to_turn,
             since_turn,
@@ -107,13 +107,13 @@ impl March<'_> {
             budget_from,
             outcome,
         } = self;
-        MarchState {
+        IntegrationState {
             line: line.clone(),
             upcoming: *upcoming,
             branch: branch.clone(),
             at_once: *at_once,
             marks: marks.clone(),
-            past: past.clone(),
+            previous: previous.clone(),
             span: *span,
             numbers: [*to_turn, *since_turn, *start_residual, *start_rate, *stiffness, *panel_residual],
             slows: *slows,
@@ -129,14 +129,14 @@ impl March<'_> {
     }
 
     /// A path as new, put where a checkpoint was taken.
-    pub(super) fn restore(&mut self, state: MarchState) -> Result<(), Refusal> {
+    pub(super) fn restore(&mut self, state: IntegrationState) -> Result<(), Refusal> {
         let n = self.problem.chain.terms();
-        let segments = state.line.inside.iter().chain(&state.line.outside).chain(state.past.iter().map(|past| &past.1));
+        let segments = state.line.inside.iter().chain(&state.line.outside).chain(state.previous.iter().map(|previous| &previous.1));
         if state.branch.memory.len() != n || segments.into_iter().any(|segment| !segment.states.len().is_multiple_of(n + 1)) {
             return Err(foreign("its line has another number of terms"));
         }
-        if state.upcoming > self.problem.drive.stretches.len() {
-            return Err(foreign("its history has fewer stretches"));
+        if state.upcoming > self.problem.drive.segments.len() {
+            return Err(foreign("its history has fewer segments"));
         }
         if state.instants.len() != self.instants.len() {
             return Err(foreign("it has other instants"));
@@ -144,13 +144,13 @@ impl March<'_> {
         if state.line.inside.is_empty() || state.line.outside.is_empty() {
             return Err(foreign("its line is empty"));
         }
-        let MarchState {
+        let IntegrationState {
             line,
             upcoming,
             branch,
             at_once,
             marks,
-            past,
+            previous,
             span,
             numbers,
             slows,
@@ -164,7 +164,7 @@ impl March<'_> {
             ..
         } = state;
         (self.line, self.upcoming, self.branch, self.at_once, self.marks) = (line, upcoming, branch, at_once, marks);
-        (self.past, self.span, self.slows, self.state) = (past, span, slows, state.state);
+        (self.previous, self.span, self.slows, self.state) = (previous, span, slows, state.state);
         [self.to_turn, self.since_turn, self.start_residual, self.start_rate, self.stiffness, self.panel_residual] = numbers;
         [self.refusals, self.flips, self.piece] = counts;
         (self.instants, self.met, self.cycles, self.outcome) = (instants, met, cycles, outcome);
@@ -178,20 +178,22 @@ impl March<'_> {
         let Some(PanelObserver { watch, run }) = self.observer else { return };
         watch.passed(run.finished + 1, self.progress());
         if watch.wants_checkpoint() {
-            let state = PanelsState { run: run.clone(), march: self.checkpoint() };
+            let state = PanelsState { run: run.clone(), integration: self.checkpoint() };
             watch.checkpoint(&Checkpoint { run: RunState::Panels(Box::new(state)) });
         }
     }
 
     /// Part (0…1) of the history that is done; a cycle counts as much as a ramp.
     fn progress(&self) -> f64 {
-        let weight = |stretch: &Stretch| 1.0 + stretch.oscillation.map_or(0.0, |o| o.cycles_at(stretch.duration, stretch.duration));
-        let stretches = &self.problem.drive.stretches;
-        let all: f64 = stretches.iter().map(weight).sum();
-        let gone: f64 = stretches.iter().take(self.upcoming).map(weight).sum();
-        let under_way = self.upcoming.checked_sub(1).and_then(|last| stretches.get(last));
-        // A stretch in which the surfaces have touched again has a later start.
-        let duration = if self.at_once.is_some() { self.branch.end } else { under_way.map_or(0.0, |stretch| stretch.duration) };
+        let weight = |drive_segment: &DriveSegment| {
+            1.0 + drive_segment.oscillation.map_or(0.0, |o| o.cycles_at(drive_segment.duration, drive_segment.duration))
+        };
+        let segments = &self.problem.drive.segments;
+        let all: f64 = segments.iter().map(weight).sum();
+        let gone: f64 = segments.iter().take(self.upcoming).map(weight).sum();
+        let under_way = self.upcoming.checked_sub(1).and_then(|last| segments.get(last));
+        // A segment in which the surfaces have touched again has a later start.
+        let duration = if self.at_once.is_some() { self.branch.end } else { under_way.map_or(0.0, |drive_segment| drive_segment.duration) };
         let left = (self.branch.end - self.line.time) / duration;
         let left = if left.is_finite() { left.clamp(0.0, 1.0) } else { 0.0 };
         let part = (gone - under_way.map_or(0.0, weight) * left) / all;

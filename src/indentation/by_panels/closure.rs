@@ -22,7 +22,7 @@ use std::f64::consts::PI;
 pub(super) struct Node {
     pub(super) y: f64,
     /// dy over the piece's own parameter, of the whole piece.
-    pub(super) stretch: f64,
+    pub(super) width: f64,
     pub(super) inner: Field,
     pub(super) outer: Field,
     /// θ on the panel under way, and ds/dθ there; NaN elsewhere.
@@ -145,7 +145,7 @@ impl Window {
                 self.rows.extend(rows.as_flattened());
                 self.slopes.extend(slopes.as_flattened());
             }
-            let loads: [f64; NODES] = std::array::from_fn(|h| self.nodes[start + h].inner.value * self.nodes[start + h].stretch);
+            let loads: [f64; NODES] = std::array::from_fn(|h| self.nodes[start + h].inner.value * self.nodes[start + h].width);
             for (g, row) in rows.iter().enumerate() {
                 let node = &self.nodes[start + g];
                 let mut running = prefix;
@@ -153,7 +153,7 @@ impl Window {
                     add(&mut running, loads[h] * rule.running[g][h], &slopes[h]);
                 }
                 let seen = dot(&running, row) - node.inner.value * self.kernel.local(node.y);
-                let weight = scale * node.stretch * rule.weights[g];
+                let weight = scale * node.width * rule.weights[g];
                 closure.value += weight * node.outer.value * seen;
                 if derivatives {
                     closure.rate += weight * seen * node.outer.rate;
@@ -179,7 +179,7 @@ impl Window {
         for start in (0..self.nodes.len()).step_by(NODES).rev() {
             let gaps: [f64; NODES] = std::array::from_fn(|g| {
                 let node = &self.nodes[start + g];
-                scale * node.stretch * rule.weights[g] * node.outer.value
+                scale * node.width * rule.weights[g] * node.outer.value
             });
             for h in 0..NODES {
                 let node = &self.nodes[start + h];
@@ -187,7 +187,7 @@ impl Window {
                 for g in 0..NODES {
                     add(&mut seen, gaps[g] * rule.running[g][h], &rows[start + g]);
                 }
-                let by_load = dot(&seen, &slopes[start + h]) * node.stretch - gaps[h] * self.kernel.local(node.y);
+                let by_load = dot(&seen, &slopes[start + h]) * node.width - gaps[h] * self.kernel.local(node.y);
                 closure.rate += by_load * node.inner.rate;
                 self.passage(closure, start + h, by_load * node.inner.memory);
             }

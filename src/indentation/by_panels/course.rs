@@ -1,18 +1,18 @@
 //! The course of a history: contact and flight in turn; the scales of its errors; what a refused panel leads to.
 
-use super::march::{March, PATIENCE};
+use super::integration::{Integration, PATIENCE};
 use super::path::{Chart, Motion, Setting};
 use super::problem::{End, Outcome};
 use crate::indentation::{EventKind, Trace};
 
-/// Panels of a stretch or a cycle, accepted or not.
+/// Panels of a segment or a cycle, accepted or not.
 const MOST_PANELS: u64 = 20_000;
 /// Shortest panel over the process zone, or over the time.
 const SHORTEST: f64 = 1e-12;
-/// Way of an elastic edge over a whole stretch, over its radius, that is rounding of a value held.
+/// Way of an elastic edge over a whole segment, over its radius, that is rounding of a value held.
 const IDLE: f64 = 1e-12;
 
-impl March<'_> {
+impl Integration<'_> {
     pub(super) fn setting(&self, advances: bool) -> Setting<'_> {
         let problem = self.problem;
         let motion = self.state.as_ref().map_or(Motion::Given(&self.branch), |state| Motion::Followed(state, &self.branch));
@@ -100,7 +100,7 @@ impl March<'_> {
         }
         self.refusals += 1;
         if self.refusals == PATIENCE && self.span.0 == Chart::TimeOfPlace || self.refusals == 3 * PATIENCE {
-            self.past = None;
+            self.previous = None;
             return None;
         }
         if span.abs() >= least {
@@ -109,7 +109,7 @@ impl March<'_> {
         if self.refusals < PATIENCE && self.state.is_none() && self.branch.is_held() {
             // It may be at rest, but for rounding.
             self.refusals = PATIENCE;
-            self.past = None;
+            self.previous = None;
             return None;
         }
         Some(End::Failed)

@@ -2,33 +2,39 @@
 
 use super::cycles::Sample;
 use super::gauss::{Gauss, NODES};
-use super::march::March;
+use super::integration::Integration;
 use super::problem::Row;
 use crate::indentation::adhesiveless::Sums;
-use crate::indentation::meter::Meter;
+use crate::indentation::cycle_integrals::CycleIntegrals;
 
 /// Change of the work by halving a part, over the tolerance and what is turned over there.
 const ENOUGH: f64 = 1e-3;
 /// Golden sections of the place of an extreme.
 const SECTIONS: u32 = 30;
 
-impl March<'_> {
+impl Integration<'_> {
     /// The sums between two parameters, in up to 2^`cuts` parts.
-    pub(super) fn added(&self, meter: &Meter, (from, to): (f64, f64), sample: &impl Fn(&Self, f64) -> Sample, cuts: u32) -> Added {
+    pub(super) fn added(
+        &self,
+        cycle_integrals: &CycleIntegrals,
+        (from, to): (f64, f64),
+        sample: &impl Fn(&Self, f64) -> Sample,
+        cuts: u32,
+    ) -> Added {
         let middle = 0.5 * (from + to);
-        let whole = self.gauss(meter, (from, to), sample);
-        let halves = [(from, middle), (middle, to)].map(|range| self.gauss(meter, range, sample));
+        let whole = self.gauss(cycle_integrals, (from, to), sample);
+        let halves = [(from, middle), (middle, to)].map(|range| self.gauss(cycle_integrals, range, sample));
         let work = halves[0].sums.work + halves[1].sums.work;
         let size = halves[0].size + halves[1].size;
         if cuts == 0 || (work - whole.sums.work).abs() <= ENOUGH * self.problem.tolerance * size {
             let [first, second] = halves.map(|half| self.with_extremes(half, sample));
             return first.and(&second);
         }
-        let [first, second] = [(from, middle), (middle, to)].map(|range| self.added(meter, range, sample, cuts - 1));
+        let [first, second] = [(from, middle), (middle, to)].map(|range| self.added(cycle_integrals, range, sample, cuts - 1));
         first.and(&second)
     }
 
-    fn gauss(&self, meter: &Meter, (from, to): (f64, f64), sample: &impl Fn(&Self, f64) -> Sample) -> Added {
+    fn gauss(&self, cycle_integrals: &CycleIntegrals, (from, to): (f64, f64), sample: &impl Fn(&Self, f64) -> Sample) -> Added {
         let rule = Gauss::get();
         let samples = rule.nodes.map(|x| sample(self, from + (to - from) * x));
         let mut sums = Sums { work: 0.0, lost: 0.0, moments: [[0.0; 3]; 2], extremes: None };
@@ -37,7 +43,7 @@ impl March<'_> {
             let part = weight * (to - from);
             sums.work += part * row.force * sink;
             size += part * (row.force * sink).abs();
-            let weights = meter.weights(row.time);
+            let weights = cycle_integrals.weights(row.time);
             for (moments, value) in sums.moments.iter_mut().zip([row.penetration, row.force]) {
                 moments.iter_mut().zip(weights).for_each(|(moment, weight)| *moment += part * pace * weight * value);
             }

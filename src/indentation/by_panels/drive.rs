@@ -1,4 +1,4 @@
-//! What is imposed: a chain of stretches of the penetration, or of a force or frame, each a straight way with an oscillation upon it. A stretch becomes a branch
+//! What is imposed: a chain of segments of the penetration, or of a force or frame, each a straight way with an oscillation upon it. A segment becomes a branch
 //! when it begins, from the value that its quantity has by then.
 //!
 //! | symbol | name |
@@ -96,9 +96,9 @@ impl Branch {
     }
 }
 
-/// What is asked of a stretch of the history.
+/// What is asked of a segment of the history.
 #[derive(Debug, Clone)]
-pub(super) struct Stretch {
+pub(super) struct DriveSegment {
     /// What is given, if not Δ.
     pub(super) control: Option<Control>,
     /// Its value at the end, reached along a straight way from the present one; at once if there is no duration.
@@ -106,7 +106,7 @@ pub(super) struct Stretch {
     pub(super) duration: f64,
     /// An oscillation of one frequency upon the straight way.
     pub(super) oscillation: Option<Oscillation>,
-    /// Which stretch of the problem it is, or begins with.
+    /// Which segment of the problem it is, or begins with.
     pub(super) segment: usize,
 }
 
@@ -115,10 +115,10 @@ pub(super) struct Stretch {
 pub(super) struct Drive {
     /// What is given at first, and its value.
     pub(super) start: (Option<Control>, f64),
-    pub(super) stretches: Vec<Stretch>,
+    pub(super) segments: Vec<DriveSegment>,
 }
 
-impl Stretch {
+impl DriveSegment {
     /// Whether it takes no time.
     pub(super) fn is_sudden(&self) -> bool {
         self.duration <= 0.0

@@ -114,20 +114,20 @@ impl Scene<'_> {
         for (x, weight) in rule.nodes.iter().zip(rule.weights) {
             let theta = from + (to - from) * x;
             let (place, slope) = segment.place_at(theta);
-            let stretch = weight * (to - from) * slope;
+            let width = weight * (to - from) * slope;
             let mut basis = [0.0; SERIES];
             chebyshev(theta, &mut basis);
             let lag = self.now.time - segment.time_at(theta);
             if bonded {
                 let reach = self.now.depth - profile.line(self.origin + place);
-                sum.stored += stretch * chain.relaxed * reach * reach;
+                sum.stored += width * chain.relaxed * reach * reach;
             }
             for (j, &(size, rate)) in terms.iter().enumerate() {
                 let state: f64 =
                     if segment.blank { 0.0 } else { segment.states.chunks_exact(n + 1).zip(&basis).map(|(row, b)| row[j] * b).sum() };
                 let here = (-lag * rate).exp() * state + if bonded { self.now.memory[j] } else { 0.0 };
-                sum.stored += stretch * here * here / size;
-                sum.dissipated_power += stretch * 2.0 * here * here / size * rate;
+                sum.stored += width * here * here / size;
+                sum.dissipated_power += width * 2.0 * here * here / size * rate;
             }
         }
     }

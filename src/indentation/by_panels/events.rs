@@ -12,8 +12,8 @@
 use super::drive::Instant;
 use super::followed::State;
 use super::force::force;
+use super::integration::Integration;
 use super::line::{Break, series};
-use super::march::March;
 use super::newton::Panel;
 use super::path::Chart;
 use super::prescribed::RADIUS;
@@ -39,7 +39,7 @@ pub(super) struct Mark {
     pub(super) jump: bool,
 }
 
-impl March<'_> {
+impl Integration<'_> {
     /// The next place where the closure has a kink, in the direction of the edge, and whether it is from a jump of the state in sight of
     /// the window.
     pub(super) fn next_kink(&self, advances: bool) -> (f64, bool, bool) {
@@ -99,12 +99,12 @@ impl March<'_> {
         for mark in &mut self.marks {
             mark.place -= way;
         }
-        let past = self.line.list(advances).last().cloned()?;
+        let previous = self.line.list(advances).last().cloned()?;
         let next_way = factor * way.abs();
-        let speed = |x: f64| past.place_at(x).1 / series(&past.times, x).1;
+        let speed = |x: f64| previous.place_at(x).1 / series(&previous.times, x).1;
         let step = 1e-3 * (cut + 1.0);
         let v = speed(cut);
-        let acceleration = (v - speed(cut - step)) / (past.time_at(cut) - past.time_at(cut - step));
+        let acceleration = (v - speed(cut - step)) / (previous.time_at(cut) - previous.time_at(cut - step));
         let to_turn = v * v / (2.0 * acceleration.abs());
         self.to_turn = to_turn;
         let slows = v * acceleration < 0.0;
@@ -122,7 +122,7 @@ impl March<'_> {
             Chart::PlaceOfTime => (Chart::TimeOfPlace, sign * next_way.min(if slows { to_turn } else { since_turn })),
             Chart::TimeOfPlace => (Chart::TimeOfPlace, sign * factor * full),
         };
-        self.past = Some((advances, past, cut));
+        self.previous = Some((advances, previous, cut));
         self.looks_at_gap();
         if self.outcome.panels.is_multiple_of(MERGED_EVERY) {
             self.merge();
@@ -143,18 +143,18 @@ impl March<'_> {
             self.mark(false);
             self.merge();
             self.span = (Chart::PlaceOfTime, full * factor.min(1.0));
-            self.past = self.past.take().map(|(_, past, theta)| (!advances, past, theta));
+            self.previous = self.previous.take().map(|(_, previous, theta)| (!advances, previous, theta));
         }
         if corner == Some(cut) {
             self.mark(false);
-            return self.next_stretch();
+            return self.next_segment();
         }
         if self.ends_stationary() {
             self.mark(false);
-            return self.next_stretch();
+            return self.next_segment();
         }
         if met && (strong || !self.goes_on(v)) {
-            self.past = None;
+            self.previous = None;
         }
         None
     }
@@ -169,39 +169,39 @@ impl March<'_> {
             let faded = |rate: f64| (-time * rate).exp();
             state.memory.iter_mut().zip(&self.problem.chain.relaxation).for_each(|(memory, term)| *memory *= faded(term.1));
         }
-        if self.ends_stationary() || whole { self.next_stretch() } else { None }
+        if self.ends_stationary() || whole { self.next_segment() } else { None }
     }
 
-    /// The next stretch of the history.
-    pub(super) fn next_stretch(&mut self) -> Option<End> {
+    /// The next segment of the history.
+    pub(super) fn next_segment(&mut self) -> Option<End> {
         self.ends_at_once(true);
         self.ends_cycles();
-        if self.upcoming == self.problem.drive.stretches.len() {
+        if self.upcoming == self.problem.drive.segments.len() {
             return Some(End::History);
         }
         self.begins();
         None
     }
 
-    /// Begins the stretch: its quantity goes on from where it is, or changes at once.
+    /// Begins the segment: its quantity goes on from where it is, or changes at once.
     pub(super) fn begins(&mut self) {
-        self.past = None;
+        self.previous = None;
         self.start_rate = 0.0;
         (self.refusals, self.flips) = (0, 0);
         self.piece += 1;
-        let Some(stretch) = self.problem.drive.stretches.get(self.upcoming) else { return };
+        let Some(drive_segment) = self.problem.drive.segments.get(self.upcoming) else { return };
         let chain = &self.problem.chain;
         let (before, time) = (self.branch.control, self.line.time);
         let mut now = Instant::default();
         self.setting(false).still(&mut now);
-        let value = if before == stretch.control && self.upcoming > 0 {
+        let value = if before == drive_segment.control && self.upcoming > 0 {
             // As it was given to be, without the rounding of what followed it.
             self.branch.value(self.branch.end - self.branch.start).0
-        } else if self.upcoming == 0 && self.problem.drive.start.0 == stretch.control {
+        } else if self.upcoming == 0 && self.problem.drive.start.0 == drive_segment.control {
             self.problem.drive.start.1
         } else {
             let radius = self.line.edge;
-            stretch.control.map_or(now.depth, |control| {
+            drive_segment.control.map_or(now.depth, |control| {
                 if control == RADIUS {
                     radius
                 } else {
@@ -210,12 +210,12 @@ impl March<'_> {
             })
         };
         self.upcoming += 1;
-        if stretch.is_sudden() {
-            return self.begins_at_once(stretch, value, now);
+        if drive_segment.is_sudden() {
+            return self.begins_at_once(drive_segment, value, now);
         }
-        let (segment, duration, oscillation) = (stretch.segment, stretch.duration, stretch.oscillation);
-        self.branch = stretch.branch(time, value, now.memory.clone());
-        self.state = stretch.control.map(|_| State { depth: now.depth, rate: 0.0, memory: now.memory });
+        let (segment, duration, oscillation) = (drive_segment.segment, drive_segment.duration, drive_segment.oscillation);
+        self.branch = drive_segment.branch(time, value, now.memory.clone());
+        self.state = drive_segment.control.map(|_| State { depth: now.depth, rate: 0.0, memory: now.memory });
         self.begins_cycles(segment, duration, oscillation);
     }
 

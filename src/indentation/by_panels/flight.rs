@@ -10,16 +10,16 @@ use super::drive::{Branch, Instant};
 use super::energies::{TurnedOver, energies};
 use super::followed::State;
 use super::gauss::Gauss;
+use super::integration::Integration;
 use super::jump::FLOOR;
 use super::line::field;
-use super::march::March;
 use super::prescribed::RADIUS;
 use super::problem::{End, Row, Step};
 use super::surface::surface;
 use crate::indentation::EventKind;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
-/// Instants of a stretch at which the gap is looked at: as many evenly as in equal ratios from the shortest time on; evenly in each cycle of an oscillation.
+/// Instants of a segment at which the gap is looked at: as many evenly as in equal ratios from the shortest time on; evenly in each cycle of an oscillation.
 const LOOKS: u32 = 40;
 const LOOKS_IN_A_CYCLE: f64 = 24.0;
 /// Halvings of the time in which the surfaces touch.
@@ -58,8 +58,8 @@ impl Flight {
     }
 }
 
-impl March<'_> {
-    /// The history without contact. Whether the surfaces touch again, at the time and in the stretch that the march then has.
+impl Integration<'_> {
+    /// The history without contact. Whether the surfaces touch again, at the time and in the segment that the integration then has.
     pub(super) fn flies(&mut self) -> bool {
         self.ends_at_once(false);
         self.lets_go();
@@ -70,13 +70,13 @@ impl March<'_> {
         let mut here = start;
         self.step_in_flight(start, flight.depth(start), false);
         let row = Row { time: start, penetration: flight.depth(start), ..Row::default() };
-        self.meters_at_once(&row);
+        self.integrates_at_once(&row);
         loop {
-            let last = flight.upcoming == self.problem.drive.stretches.len();
+            let last = flight.upcoming == self.problem.drive.segments.len();
             let mut touch = self.touch(&flight, here);
             let until = touch.map_or(flight.branch.end, |touch| touch.0);
             let rate = |time: f64| if flight.stays() { 0.0 } else { flight.branch.value(time - flight.branch.start).1 };
-            if let Some(stop) = self.meters_flight((here, until), |time| (flight.depth(time), rate(time))) {
+            if let Some(stop) = self.integrates_flight((here, until), |time| (flight.depth(time), rate(time))) {
                 self.branch = flight.branch.clone();
                 self.ends_early(stop);
                 (flight.branch.end, touch) = (stop, None);
@@ -116,22 +116,22 @@ impl March<'_> {
                 self.step_in_flight(here, depth, false);
                 return false;
             }
-            let Some(stretch) = self.problem.drive.stretches.get(flight.upcoming) else { return false };
+            let Some(drive_segment) = self.problem.drive.segments.get(flight.upcoming) else { return false };
             flight.upcoming += 1;
-            let value = if flight.branch.control == stretch.control {
+            let value = if flight.branch.control == drive_segment.control {
                 flight.value(here)
             } else {
-                depth * stretch.control.map_or(1.0, |control| control.depth)
+                depth * drive_segment.control.map_or(1.0, |control| control.depth)
             };
-            flight.branch = stretch.branch(here, value, flight.branch.memory.clone());
+            flight.branch = drive_segment.branch(here, value, flight.branch.memory.clone());
             self.ends_cycles();
             self.branch = flight.branch.clone();
-            self.begins_cycles(stretch.segment, stretch.duration, stretch.oscillation);
+            self.begins_cycles(drive_segment.segment, drive_segment.duration, drive_segment.oscillation);
             flight.branch = self.branch.clone();
         }
     }
 
-    /// When the surfaces first touch in the stretch under way, from an instant on, and how.
+    /// When the surfaces first touch in the segment under way, from an instant on, and how.
     fn touch(&self, flight: &Flight, from: f64) -> Option<(f64, Look)> {
         let [shortest, _] = self.problem.chain.times(false);
         let length = flight.branch.end - from;
@@ -209,7 +209,7 @@ impl March<'_> {
                 break;
             }
         }
-        self.past = None;
+        self.previous = None;
         (self.refusals, self.flips, self.start_rate) = (0, 0, 0.0);
         self.balance();
         let lands = self.sudden(0.0) < 0.0 && self.lands(true, zone / 16.0, 0.0, (Some(EventKind::JumpIn), from)).is_none();

@@ -1,10 +1,10 @@
 //! A jump: the edge moves in no time to the next place where it is in equilibrium.
 //!
 //! From a fold, or from an outset that is unstable, C − Δγ drives the edge on as long as it keeps its sign. The way is looked through from
-//! the start, in strides within one segment of the past; the first that ends beyond equilibrium is halved down to the landing. Without one
+//! the start, in strides within one segment of the path history; the first that ends beyond equilibrium is halved down to the landing. Without one
 //! the contact is lost.
 
-use super::march::March;
+use super::integration::Integration;
 use super::problem::{End, Row};
 use crate::indentation::EventKind;
 
@@ -13,7 +13,7 @@ const FURTHEST: f64 = 1e3;
 /// Narrowest contact, in process zones.
 pub(super) const FLOOR: f64 = 1.05;
 
-impl March<'_> {
+impl Integration<'_> {
     /// The edge goes in no time to the next place where it is in equilibrium: the first crossing of the closure. A first stride that finds
     /// it where it started shows that it was stable there after all.
     pub(super) fn jumps(&mut self, advances: bool, first: f64) -> Option<End> {
@@ -36,12 +36,12 @@ impl March<'_> {
         let sign = if advances { 1.0 } else { -1.0 };
         self.start_residual = left;
         let start = self.line.edge;
-        let excess = |march: &mut Self, way: f64| sign * (march.sudden(sign * way) - left);
+        let excess = |integration: &mut Self, way: f64| sign * (integration.sudden(sign * way) - left);
         let mut stride = first;
         let mut gone = 0.0;
-        self.past = None;
+        self.previous = None;
         loop {
-            // Within one segment of the past.
+            // Within one segment of the path history.
             let border = self.line.list(!advances).last().map_or(f64::INFINITY, |last| if advances { last.high } else { -last.low });
             let least = if advances { f64::INFINITY } else { self.line.edge - FLOOR * zone };
             // A border within rounding of the edge is passed.
@@ -74,7 +74,7 @@ impl March<'_> {
                 }
                 self.piece += 1;
                 self.step_at_rest((to, 0.0), &from, false);
-                self.meters_at_once(&to);
+                self.integrates_at_once(&to);
                 self.outcome.jumps.push(to);
                 self.mark(true);
                 return None;

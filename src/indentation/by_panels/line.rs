@@ -199,7 +199,7 @@ pub(super) struct Break {
     pub(super) roots: Option<[f64; 2]>,
 }
 
-/// What eight nodes over a stretch with such a root within it leave of its value at the end.
+/// What eight nodes over an interval with such a root within it leave of its value at the end.
 const LEFT: [f64; 2] = [4e-4, 2e-5];
 
 impl Break {
@@ -208,9 +208,9 @@ impl Break {
         self.roots.map(|[b, c]| (b.abs() + c.abs() * way) * way * way.sqrt())
     }
 
-    /// Whether eight nodes over a stretch miss more of f than allowed.
-    pub(super) fn cuts(&self, stretch: f64, allowed: f64) -> bool {
-        self.roots.is_none_or(|[b, c]| (LEFT[0] * b.abs() + LEFT[1] * c.abs() * stretch) * stretch * stretch.sqrt() > allowed)
+    /// Whether eight nodes over an interval miss more of f than allowed.
+    pub(super) fn cuts(&self, width: f64, allowed: f64) -> bool {
+        self.roots.is_none_or(|[b, c]| (LEFT[0] * b.abs() + LEFT[1] * c.abs() * width) * width * width.sqrt() > allowed)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The sphere's time integration by panels of the edge's path: beside the march of this room until the two agree on 3,000 scenes.
+//! The sphere's time integration by panels of the edge's path: beside the time integration of this room until the two agree on 3,000 scenes.
 //!
 //! Nothing is stepped. The line is a list of segments that hold, as polynomials, when the edge passed a point and in which state it left
 //! it; the fields of any later time follow exactly. The unknown is the path of the edge, one polynomial after the other, which obeys the
@@ -12,7 +12,7 @@
 //! | `kernel`, `window`, `closure` | C and its derivatives by the instants of passage |
 //! | `path`, `newton`, `check` | a panel, its solution, its defect and the test for the first root |
 //! | `outset`, `jump`, `events` | directions and speeds from rest, instabilities, cuts of a panel |
-//! | `march`, `course`, `record`, `force`, `start` | the history |
+//! | `integration`, `course`, `record`, `force`, `start` | the history |
 //! | `followed` | force and frame: the penetration as a second unknown |
 //! | `prescribed` | a given radius: the penetration as the only unknown |
 //! | `at_once` | sudden steps |
@@ -33,7 +33,7 @@
 //! | λ | part of a panel's times, in the test for the first root |
 //!
 //! Measured on states of an independent program (`tests/indentation/by_panels.rs`): 1e-8 at degree 5, tolerance 1e-6; 1e-10 at degree 7, 1e-8.
-//! Of 4,732 marches of random scenes at 1e-4 (ramps, approaches, cycles; one to four terms), and of 634 at 1e-5, none ends in a refusal, and the two
+//! Of 4,732 integrations of random scenes at 1e-4 (ramps, approaches, cycles; one to four terms), and of 634 at 1e-5, none ends in a refusal, and the two
 //! degrees of each scene agree. The power balance closes to 1e-9 of what is turned over.
 //! Tables and power laws agree as well as spheres do (a table of eight points: degrees 5 and 7 differ by 2e-7 at 1e-6).
 //! An edge that turns sets out without speed: what the last panel left of ∂C/∂t there fades on the next one, for states left by a path that turns with a speed have a
@@ -60,10 +60,10 @@ mod flight;
 mod followed;
 mod force;
 mod gauss;
+mod integration;
 mod jump;
 mod kernel;
 mod line;
-mod march;
 mod merge;
 mod newton;
 mod outset;
@@ -87,4 +87,4 @@ pub use periodic::{PeriodicState, solve_periodic};
 pub use problem::{End, Outcome, Row};
 pub use solution::{path_by_panels, solve_by_panels, solve_by_panels_watched};
 pub(in crate::indentation) use solution::{solve_from, surface_at};
-pub use solve::{PanelOptions, march_by_panels};
+pub use solve::{PanelOptions, integrate_by_panels};

@@ -9,8 +9,8 @@ use super::closure::Way;
 use super::drive::Instant;
 use super::followed::State;
 use super::force::force_rate;
+use super::integration::{Integration, PATIENCE};
 use super::line::Segment;
-use super::march::{March, PATIENCE};
 use super::path::{Chart, passed};
 
 /// How an edge sets out.
@@ -27,14 +27,14 @@ const FIRST_WAY: f64 = 0.3;
 const LINGER: f64 = 0.3;
 /// Halvings of such a rest.
 const MOST_HALVINGS: u32 = 40;
-/// Change of speed at a kink that a panel's prediction still bears.
+/// Change of speed at a kink that a panel's prediction still carries.
 const SAME_SPEED: f64 = 0.3;
 
-impl March<'_> {
+impl Integration<'_> {
     /// C − Δγ at the edge now, moved at once by a way (a panel without duration); Δ follows if it is not given.
     pub(super) fn sudden(&mut self, way: f64) -> f64 {
         let mut window = std::mem::take(&mut self.window);
-        let advances = way > 0.0 || way == 0.0 && self.past.as_ref().is_some_and(|past| past.0);
+        let advances = way > 0.0 || way == 0.0 && self.previous.as_ref().is_some_and(|previous| previous.0);
         let setting = self.setting(advances);
         let mut now = Instant::default();
         setting.still(&mut now);
@@ -120,7 +120,7 @@ impl March<'_> {
         let follows = |state: &State| vec![state.depth - state.rate * duration, state.rate * duration];
         let depths = self.state.as_ref().map_or_else(Vec::new, follows);
         let straight = Segment { places: vec![-way, way], times: vec![-duration, duration], depths, ..Segment::blank(0.0, 0.0) };
-        self.past = Some((advances, straight, 1.0));
+        self.previous = Some((advances, straight, 1.0));
     }
 
     /// Whether an edge that rests for a time leaves no more of the closure than would move it by a part of the tolerance.
@@ -161,7 +161,7 @@ impl March<'_> {
                     self.span = (Chart::PlaceOfTime, 2.0 * time);
                     (self.to_turn, self.since_turn) = (0.0, 0.0);
                 } else {
-                    self.past = None;
+                    self.previous = None;
                 }
                 return true;
             }

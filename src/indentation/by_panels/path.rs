@@ -3,7 +3,7 @@
 //! A panel goes from the last point on, θ = −1…1, and is a polynomial of degree p through that point and p Radau points. One of two charts
 //! is used, each with one unknown a point:
 //! ```text
-//! TimeOfPlace   s = span·(θ + 1)/2,  T(θ) unknown     smooth where the edge runs away (a fold: T′ = 0)
+//! TimeOfPlace   s = span·(θ + 1)/2,  T(θ) unknown     smooth where the edge accelerates without limit (a fold: T′ = 0)
 //! PlaceOfTime   T = span·(θ + 1)/2,  s(θ) unknown     smooth where the edge turns (s′ = 0)
 //! ```
 
@@ -187,13 +187,13 @@ pub(super) fn passed(points: &Points, setting: &Setting<'_>, chart: Chart, span:
 
 /// The path beyond the end of a segment of it, as values at the points of a next panel: along the cubic through its last part; and Δ there,
 /// if it follows.
-pub(super) fn continued(points: &Points, past: &Segment, theta: f64, chart: Chart, span: f64) -> (Vec<f64>, Vec<f64>) {
+pub(super) fn continued(points: &Points, previous: &Segment, theta: f64, chart: Chart, span: f64) -> (Vec<f64>, Vec<f64>) {
     let wide = 0.5 * (theta + 1.0);
     let knots: [f64; 4] = std::array::from_fn(|k| theta - wide * k as f64 / 1.5);
     let known = knots.map(|knot| {
-        let (s, t) = (past.place_at(knot).0, past.time_at(knot));
+        let (s, t) = (previous.place_at(knot).0, previous.time_at(knot));
         let (given, sought) = if chart == Chart::TimeOfPlace { (s, t) } else { (t, s) };
-        [given, sought, series(&past.depths, knot).0]
+        [given, sought, series(&previous.depths, knot).0]
     });
     let value = |x: f64, which: usize| {
         let weight = |k: usize| {
@@ -203,7 +203,7 @@ pub(super) fn continued(points: &Points, past: &Segment, theta: f64, chart: Char
         (0..4).map(|k| weight(k) * (known[k][which] - known[0][which])).sum::<f64>()
     };
     let at = |which: usize| points.nodes.iter().map(|&x| value(0.5 * span * (x + 1.0), which)).collect::<Vec<f64>>();
-    let depths = if past.depths.is_empty() { Vec::new() } else { at(2).iter().map(|way| known[0][2] + way).collect() };
+    let depths = if previous.depths.is_empty() { Vec::new() } else { at(2).iter().map(|way| known[0][2] + way).collect() };
     (at(1), depths)
 }
 

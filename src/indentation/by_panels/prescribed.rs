@@ -11,8 +11,8 @@ use super::closure::{Way, Window};
 use super::drive::{Branch, Instant};
 use super::followed::Control;
 use super::gauss::solve;
+use super::integration::Integration;
 use super::line::{Line, Segment};
-use super::march::March;
 use super::newton::{Panel, tail};
 use super::path::{Chart, Points, Setting, continued, passed};
 use super::problem::{End, Problem};
@@ -64,8 +64,8 @@ pub(super) fn depth_of(problem: &Problem, modulus: f64, edge: f64) -> Option<f64
     Some(height - 0.5 * (low + high))
 }
 
-impl March<'_> {
-    /// Whether the stretch under way gives the radius.
+impl Integration<'_> {
+    /// Whether the segment under way gives the radius.
     pub(super) fn is_prescribed(&self) -> bool {
         self.branch.control == Some(RADIUS)
     }
@@ -83,14 +83,14 @@ impl March<'_> {
         let way = |branch: &Branch, time: f64| {
             if held { -HELD * zone * time / left } else { branch.value((start + time).min(2.0 * end)).0 - branch.value(start).0 }
         };
-        if self.past.is_none() {
+        if self.previous.is_none() {
             let first = if held { FIRST_TIME * left } else { (FIRST_WAY * zone / rate.abs()).min(left) };
             self.span = (Chart::PlaceOfTime, first);
             let state = self.state.clone()?;
             // As if it had come here as fast.
             let (turn, sink) = (way(&self.branch, first), state.rate * first);
             let (places, times, depths) = (vec![-turn, turn], vec![-first, first], vec![state.depth - sink, sink]);
-            self.past = Some((advances, Segment { places, times, depths, ..Segment::blank(0.0, 0.0) }, 1.0));
+            self.previous = Some((advances, Segment { places, times, depths, ..Segment::blank(0.0, 0.0) }, 1.0));
         }
         let mut span = self.span.1.min(left);
         if !held {
@@ -107,8 +107,8 @@ impl March<'_> {
                 span = least;
             }
         }
-        let (_, past, theta) = self.past.clone()?;
-        let (_, depths) = continued(&self.points, &past, theta, Chart::PlaceOfTime, span);
+        let (_, previous, theta) = self.previous.clone()?;
+        let (_, depths) = continued(&self.points, &previous, theta, Chart::PlaceOfTime, span);
         let values: Vec<f64> = self.points.nodes.iter().map(|x| way(&self.branch, 0.5 * span * (x + 1.0))).collect();
         let allowed = self.problem.tolerance * self.displacement();
         let mut window = std::mem::take(&mut self.window);

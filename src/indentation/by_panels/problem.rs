@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub(super) struct Problem {
     pub profile: Profile,
     pub chain: Chain,
-    /// Δγ; None without adhesion, where δ is only a length for first steps.
+    /// Δγ (J/m²); None without adhesion, where δ is only a length for first steps.
     pub adhesion: Option<f64>,
     pub zone: f64,
     pub drive: Drive,
@@ -25,7 +25,7 @@ pub(super) struct Problem {
     pub energies: bool,
     /// Accuracy to which cycles of an oscillation are stationary; None where no cycles are asked for.
     pub cycles: Option<f64>,
-    /// Stretches known to end early: which, and how long they take (s).
+    /// Segments known to end early: which, and how long they take (s).
     pub stops: Vec<(usize, f64)>,
     /// Whether the surface at the last instant wanted is.
     pub surface: bool,
@@ -61,7 +61,7 @@ pub struct Row {
     pub stress_intensity: f64,
 }
 
-/// Why a march ended.
+/// Why an integration ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum End {
     /// The history is over.
@@ -76,7 +76,7 @@ pub enum End {
     TouchesAgain,
 }
 
-/// What a march gives.
+/// What an integration gives.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// At time zero.
@@ -109,7 +109,7 @@ pub struct Outcome {
     pub closures: u64,
     /// Nodes of the window in all of them.
     pub kernel_nodes: u64,
-    /// Whole cycles of stretches that oscillate, by how much they differ, and stretches that ended early.
+    /// Whole cycles of segments that oscillate, by how much they differ, and segments that ended early.
     pub cycles: Vec<Cycle<f64>>,
     pub(in crate::indentation) spreads: Vec<Spread>,
     pub(in crate::indentation) shortened: Vec<(usize, f64)>,

@@ -2,13 +2,13 @@
 //! the way.
 
 use super::closure::Way;
-use super::drive::{Instant, Stretch};
+use super::drive::{DriveSegment, Instant};
 use super::energies::{Energies, TurnedOver, energies, stress_intensity};
 use super::events::first_crossing;
 use super::force::force;
 use super::gauss::Gauss;
+use super::integration::Integration;
 use super::line::{Segment, field, series};
-use super::march::March;
 use super::problem::{Row, Step};
 use super::solution::point;
 use super::surface::surface;
@@ -23,7 +23,7 @@ const NEARLY_LEAST: f64 = 1e-3;
 /// Golden sections of a least force: beyond them rounding decides.
 const SECTIONS: usize = 40;
 
-impl March<'_> {
+impl Integration<'_> {
     pub(super) fn row(&self, way: Option<Way<'_>>, time: f64) -> Row {
         let now = self.instant(way, time);
         let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
@@ -59,9 +59,9 @@ impl March<'_> {
         let instants = &self.instants;
         let wanted = *instants.get(next)?;
         let again = instants.iter().take(next).rev().take_while(|last| last.to_bits() == wanted.to_bits()).count();
-        let (gone, ahead) = self.problem.drive.stretches.split_at_checked(upcoming)?;
-        let steps = gone.iter().rev().take_while(|stretch| stretch.is_sudden()).count();
-        let waits = again > steps && ahead.first().is_some_and(Stretch::is_sudden);
+        let (gone, ahead) = self.problem.drive.segments.split_at_checked(upcoming)?;
+        let steps = gone.iter().rev().take_while(|drive_segment| drive_segment.is_sudden()).count();
+        let waits = again > steps && ahead.first().is_some_and(DriveSegment::is_sudden);
         (wanted <= end + LATE * end && !waits).then_some(wanted)
     }
 
@@ -70,7 +70,7 @@ impl March<'_> {
         let (start, end) = (self.line.time, self.line.time + segment.time_at(cut));
         let (span, rule) = (cut + 1.0, Gauss::get());
         let way = |theta: f64| Way { panel: segment, advances, theta };
-        let row = |march: &Self, theta: f64| march.row(Some(way(theta)), segment.time_at(theta));
+        let row = |integration: &Self, theta: f64| integration.row(Some(way(theta)), segment.time_at(theta));
         let mut points: Vec<(f64, Row, bool)> = rule.nodes.iter().map(|x| -1.0 + span * x).map(|at| (at, row(self, at), false)).collect();
         // dA/dt, and what is turned over for each dθ.
         let area_rate = |row: &Row, theta: f64| 2.0 * PI * row.contact_radius * segment.place_at(theta).1 / series(&segment.times, theta).1;
@@ -90,7 +90,7 @@ impl March<'_> {
         let end_row = row(self, cut);
         points.push((cut, end_row, false));
         points.sort_by(|one, other| one.0.total_cmp(&other.0));
-        if let Some(least) = self.least_of(&start_row, &points, |march, theta| row(march, theta)) {
+        if let Some(least) = self.least_of(&start_row, &points, |integration, theta| row(integration, theta)) {
             let place = points.partition_point(|point| point.0 < least.0);
             points.insert(place, (least.0, least.1, false));
         }
@@ -104,7 +104,7 @@ impl March<'_> {
             self.step(Step { row, residual, piece: self.piece, area_rate, account, wanted });
         }
         self.outcome.ends.push(end_row);
-        self.meters_panel(advances, segment, cut);
+        self.integrates_panel(advances, segment, cut);
         if next > asked && self.is_asked_for_surface(next) {
             let theta = self.instants.last().and_then(|wanted| first_crossing(|x| segment.time_at(x) - (wanted - start)));
             let way = way(theta.map_or(cut, |theta| theta.min(cut)));
@@ -216,7 +216,7 @@ impl March<'_> {
             }
         }
         if time > 0.0 {
-            self.meters_rest(time);
+            self.integrates_rest(time);
         }
         let row = self.row(None, time);
         self.step_at_rest((row, time), &last, false);

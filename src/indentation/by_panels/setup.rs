@@ -1,11 +1,11 @@
 //! A problem of this crate in the terms of the room: its chain, its drive and its first contact; what is not solved yet is refused by name.
 
 use super::chain::Chain;
-use super::drive::{Drive, Stretch};
+use super::drive::{Drive, DriveSegment};
 use super::followed::Control;
 use super::prescribed::RADIUS;
 use crate::indentation::{Controlled, EdgeLaw, IndentationProblem, Oscillation, Profile, Segment};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 
 /// Strides down from a deep contact to the first crossing of a control's value, over the depth where they start; halvings of the last one.
@@ -14,7 +14,7 @@ const HALVINGS: u32 = 60;
 /// Rounding of a rate, over the value and the time.
 const SAME_PACE: f64 = 1e-14;
 
-pub(super) fn chain_of(material: &Material) -> Result<Chain, Refusal> {
+pub(super) fn chain_of(material: &PlaneMaterial) -> Result<Chain, Refusal> {
     let relaxed = material.solid_modulus("the relaxed contact")?;
     let creep: Vec<_> = material.creep_terms().iter().map(|term| (term.compliance, term.retardation_time)).collect();
     let relaxation: Vec<_> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();
@@ -36,7 +36,9 @@ pub(super) fn supported(problem: &IndentationProblem) -> Result<(), Refusal> {
         (!history.segments.iter().filter_map(|segment| segment.oscillation.as_ref()).all(steady), "swept oscillations"),
     ];
     match refusals.iter().find(|(is, _)| *is) {
-        Some((_, what)) => Err(Refusal::Undefined { quantity: "the march by panels", reason: format!("it does not solve {what} yet") }),
+        Some((_, what)) => {
+            Err(Refusal::Undefined { quantity: "the integration by panels", reason: format!("it does not solve {what} yet") })
+        }
         None => Ok(()),
     }
 }
@@ -76,9 +78,9 @@ pub(super) fn started(profile: &Profile, modulus: f64, control: Control, value: 
     Some(0.5 * (low + high))
 }
 
-/// The stretches of the history.
+/// The segments of the history.
 pub(super) fn drive_of(problem: &IndentationProblem, frame_stiffness: f64) -> Drive {
-    let stretch = |number: usize, segment: &Segment| Stretch {
+    let drive_segment = |number: usize, segment: &Segment| DriveSegment {
         control: control_of(segment.controlled, frame_stiffness),
         end: segment.end,
         duration: segment.duration,
@@ -86,14 +88,14 @@ pub(super) fn drive_of(problem: &IndentationProblem, frame_stiffness: f64) -> Dr
         segment: number,
     };
     let history = &problem.history;
-    let mut stretches: Vec<Stretch> = Vec::new();
-    // Where the last stretch began, if its quantity was given there, and where the history is.
+    let mut segments: Vec<DriveSegment> = Vec::new();
+    // Where the last segment began, if its quantity was given there, and where the history is.
     let (mut from, mut here): (Option<f64>, _) = (None, (history.controlled, history.start));
     for (number, segment) in history.segments.iter().enumerate() {
         let start = (here.0 == segment.controlled).then_some(here.1);
         here = (segment.controlled, segment.value(here.1, segment.duration));
         let straight = segment.duration > 0.0 && segment.oscillation.is_none();
-        if let (Some(last), Some(from), Some(start), true) = (stretches.last_mut(), from, start, straight) {
+        if let (Some(last), Some(from), Some(start), true) = (segments.last_mut(), from, start, straight) {
             let (before, now): (f64, f64) = ((start - from) / last.duration, (segment.end - start) / segment.duration);
             let noise = SAME_PACE * (from.abs().max(start.abs()).max(segment.end.abs())) / last.duration.min(segment.duration);
             if (before - now).abs() <= noise {
@@ -103,9 +105,9 @@ pub(super) fn drive_of(problem: &IndentationProblem, frame_stiffness: f64) -> Dr
             }
         }
         from = start.filter(|_| straight);
-        stretches.push(stretch(number, segment));
+        segments.push(drive_segment(number, segment));
     }
-    Drive { start: (control_of(history.controlled, frame_stiffness), history.start), stretches }
+    Drive { start: (control_of(history.controlled, frame_stiffness), history.start), segments }
 }
 
 /// The radius at which f is a depth.

@@ -6,15 +6,15 @@
 //! Not the finest path is given, although it is closer: its error is some thirty times less than any distance, by much more or less, so that a bound that covers
 //! is more than a hundred times what is true.
 
-use super::checkpoint::{MarchState, PanelObserver, PanelsState, PathsState};
+use super::checkpoint::{IntegrationState, PanelObserver, PanelsState, PathsState};
 use super::energies::{Energies as Stored, TurnedOver};
 use super::problem::{End, Outcome, Step};
-use super::solve::{PanelOptions, marched, marched_from};
+use super::solve::{PanelOptions, integrated, integrated_from};
+use crate::indentation::assessment;
 use crate::indentation::checkpoint::{Checkpoint, RunState, Watch, foreign};
-use crate::indentation::judgement;
 use crate::indentation::summary::Summary;
 use crate::indentation::{Energies, Event, IndentationProblem, IndentationSolution, IndentationWork, PathPoint, SurfaceFields, Trace};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 
 /// Tolerance of the first path that is given, over the accuracy, and the loosest.
@@ -34,7 +34,7 @@ const HIGH_DEGREE: f64 = 1e-7;
 /// # Errors
 /// [`Refusal::Undefined`] for what is not solved here; [`Refusal::NoSuchState`] without a first contact; [`Refusal::NotConverged`] where the paths of every tolerance
 /// differ in kind.
-pub fn solve_by_panels(material: &Material, problem: &IndentationProblem) -> Result<IndentationSolution, Refusal> {
+pub fn solve_by_panels(material: &PlaneMaterial, problem: &IndentationProblem) -> Result<IndentationSolution, Refusal> {
     solve_by_panels_watched(material, problem, None, None)
 }
 
@@ -43,7 +43,7 @@ pub fn solve_by_panels(material: &Material, problem: &IndentationProblem) -> Res
 /// # Errors
 /// Those of [`solve_by_panels`]; [`Refusal::Undefined`] for a checkpoint of something else, or of time steps.
 pub fn solve_by_panels_watched(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     from: Option<Checkpoint>,
     watch: Option<&dyn Watch>,
@@ -57,7 +57,7 @@ pub fn solve_by_panels_watched(
 }
 
 pub(in crate::indentation) fn solve_from(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     from: Option<Box<PanelsState>>,
     watch: Option<&dyn Watch>,
@@ -68,12 +68,12 @@ pub(in crate::indentation) fn solve_from(
     }
     let instants = kept_instants(problem);
     let tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, LOOSEST);
-    let (mut run, mut march) = match from {
-        Some(state) => (state.run, Some(state.march)),
+    let (mut run, mut integration) = match from {
+        Some(state) => (state.run, Some(state.integration)),
         None => (PathsState { tolerance, ..PathsState::default() }, None),
     };
     loop {
-        let failed = match round(material, problem, &instants, (&mut run, march.take()), watch) {
+        let failed = match round(material, problem, &instants, (&mut run, integration.take()), watch) {
             Ok(()) => {
                 let solution = solution_of(problem, &run.traces, run.work)?;
                 if solution.reached {
@@ -99,9 +99,9 @@ pub(in crate::indentation) fn solve_from(
 ///
 /// # Errors
 /// Those of [`solve_by_panels`].
-pub fn path_by_panels(material: &Material, problem: &IndentationProblem, options: PanelOptions) -> Result<Trace, Refusal> {
+pub fn path_by_panels(material: &PlaneMaterial, problem: &IndentationProblem, options: PanelOptions) -> Result<Trace, Refusal> {
     let instants = kept_instants(problem);
-    let outcome = marched(material, problem, options, (&instants, false), &[])?;
+    let outcome = integrated(material, problem, options, (&instants, false), &[])?;
     trace(&outcome, instants.len(), (options.tolerance, material.glassy_modulus()))
 }
 
@@ -118,19 +118,19 @@ pub(super) fn options(tolerance: f64) -> [PanelOptions; 3] {
 
 /// The paths of one tolerance: the finest, the given one, the loosest.
 fn round(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     instants: &[f64],
-    (run, mut march): (&mut PathsState, Option<MarchState>),
+    (run, mut integration): (&mut PathsState, Option<IntegrationState>),
     watch: Option<&dyn Watch>,
 ) -> Result<(), Refusal> {
     // The given one first: what it is refused for, all are.
     let [finest, given, loosest] = options(run.tolerance);
     for options in [given, finest, loosest].into_iter().skip(run.traces.len()) {
         let observer = watch.map(|watch| PanelObserver { watch, run });
-        let outcome = marched_from(material, problem, options, (instants, false), &run.stops, (march.take(), observer))?;
+        let outcome = integrated_from(material, problem, options, (instants, false), &run.stops, (integration.take(), observer))?;
         if run.stops.is_empty() {
-            // Stretches that were stationary early are as long for every other path.
+            // Segments that were stationary early are as long for every other path.
             run.stops.clone_from(&outcome.shortened);
         }
         if outcome.end == End::TouchesAgain {
@@ -150,7 +150,7 @@ fn round(
 
 /// The middle of three paths with its bounds.
 fn solution_of(problem: &IndentationProblem, traces: &[Trace], work: IndentationWork) -> Result<IndentationSolution, Refusal> {
-    let compared = judgement::compared(problem, traces, 1, Some(reduction(traces))).ok_or_else(|| not_converged("no path".into()))?;
+    let compared = assessment::compared(problem, traces, 1, Some(reduction(traces))).ok_or_else(|| not_converged("no path".into()))?;
     Ok(IndentationSolution { by_panels: true, ..compared.solution(work) })
 }
 
@@ -182,7 +182,7 @@ fn reduction(traces: &[Trace]) -> f64 {
 
 /// The contact at a time of a history that has been solved here, and its surface by both paths, the better one first.
 pub(in crate::indentation) fn surface_at(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     solved: &Trace,
     time: f64,
@@ -191,7 +191,7 @@ pub(in crate::indentation) fn surface_at(
     let asked = as_planned(problem, &solved.shortened, time);
     let mut found = Vec::new();
     for options in [high, low] {
-        let outcome = marched(material, problem, options, (&[asked], true), &solved.shortened)?;
+        let outcome = integrated(material, problem, options, (&[asked], true), &solved.shortened)?;
         let step = outcome.path.iter().find(|step| step.wanted).copied().ok_or_else(|| not_converged("no state there".into()))?;
         let surface = outcome.surface.ok_or_else(|| not_converged("no surface there".into()))?;
         found.push((step, surface));
@@ -203,7 +203,7 @@ pub(in crate::indentation) fn surface_at(
     }
 }
 
-/// A time as it would be if no stretch had ended early.
+/// A time as it would be if no segment had ended early.
 fn as_planned(problem: &IndentationProblem, shortened: &[(usize, f64)], time: f64) -> f64 {
     let (mut start, mut planned) = (0.0, time);
     for (number, segment) in problem.history.segments.iter().enumerate() {
@@ -221,7 +221,7 @@ fn kept_instants(problem: &IndentationProblem) -> Vec<f64> {
     let each = problem.instants_per_segment.max(1);
     let (mut instants, mut start) = (vec![0.0], 0.0);
     for segment in &problem.history.segments {
-        // Of a stretch whose end is not known the end alone.
+        // Of a segment whose end is not known the end alone.
         let open_ended = segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
         let each = if segment.duration > 0.0 && !open_ended { each } else { 1 };
         instants.extend((1..=each).map(|k| start + segment.duration * if k == each { 1.0 } else { f64::from(k) / f64::from(each) }));

@@ -1,14 +1,14 @@
 //! From a problem of this crate to its panels, and one path of its edge.
 
-use super::checkpoint::{MarchState, PanelObserver};
+use super::checkpoint::{IntegrationState, PanelObserver};
+use super::integration::Integration;
 use super::jump::FLOOR;
-use super::march::March;
 use super::prescribed::{RADIUS, depth_of};
 use super::problem::{End, Outcome, Problem};
 use super::setup::{chain_of, control_of, drive_of, radius_of, started, supported};
 use super::start::elastic_start;
 use crate::indentation::{Controlled, IndentationProblem, Start};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::{Refusal, require_positive};
 
 /// Part of the widest contact that stands for δ where there is none: a length of first panels only.
@@ -23,18 +23,18 @@ pub struct PanelOptions {
     pub tolerance: f64,
 }
 
-/// One march of a history of penetration; rows at `instants`.
+/// One integration of a history of penetration; rows at `instants`.
 ///
 /// # Errors
 /// [`Refusal::Undefined`] for what this room does not solve yet, [`Refusal::NoSuchState`] without a first contact and for one that reaches beyond a table,
 /// [`Refusal::NotConverged`].
-pub fn march_by_panels(
-    material: &Material,
+pub fn integrate_by_panels(
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     options: PanelOptions,
     instants: &[f64],
 ) -> Result<Outcome, Refusal> {
-    marched(material, problem, options, (instants, false), &[])
+    integrated(material, problem, options, (instants, false), &[])
 }
 
 /// A problem in the terms of the room, and its first contact.
@@ -45,9 +45,9 @@ pub(super) struct Begun {
     pub(super) depth: f64,
 }
 
-/// Sets a problem up; `surface`: with the surface at the last of the instants; `stops`: stretches that end early.
+/// Sets a problem up; `surface`: with the surface at the last of the instants; `stops`: segments that end early.
 pub(super) fn begun(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     options: PanelOptions,
     (instants, surface): (&[f64], bool),
@@ -115,33 +115,33 @@ pub(super) fn begun(
     Ok(Begun { problem, edge, depth })
 }
 
-/// One march; `surface`: with the surface at the last of the instants; `stops`: stretches that end early.
-pub(super) fn marched(
-    material: &Material,
+/// One integration; `surface`: with the surface at the last of the instants; `stops`: segments that end early.
+pub(super) fn integrated(
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     options: PanelOptions,
     instants: (&[f64], bool),
     stops: &[(usize, f64)],
 ) -> Result<Outcome, Refusal> {
-    marched_from(material, problem, options, instants, stops, (None, None))
+    integrated_from(material, problem, options, instants, stops, (None, None))
 }
 
 /// The same from a checkpoint, observed.
-pub(super) fn marched_from(
-    material: &Material,
+pub(super) fn integrated_from(
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     options: PanelOptions,
     instants: (&[f64], bool),
     stops: &[(usize, f64)],
-    (from, observer): (Option<MarchState>, Option<PanelObserver<'_>>),
+    (from, observer): (Option<IntegrationState>, Option<PanelObserver<'_>>),
 ) -> Result<Outcome, Refusal> {
     let Begun { problem: own, edge, depth } = begun(material, problem, options, instants, stops)?;
-    let mut march = March::new(&own, edge, depth);
+    let mut integration = Integration::new(&own, edge, depth);
     if let Some(state) = from {
-        march.restore(state)?;
+        integration.restore(state)?;
     }
-    march.observer = observer;
-    let outcome = march.run();
+    integration.observer = observer;
+    let outcome = integration.run();
     // The widest contacts are at ends of panels: an edge that turns back ends one.
     for row in outcome.ends.iter().chain(&outcome.jumps).chain([&outcome.start]) {
         problem.profile.holds(row.contact_radius, own.zone)?;

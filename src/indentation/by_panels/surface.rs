@@ -55,7 +55,7 @@ pub(super) fn surface((chain, profile): (&Chain, &Profile), line: &Line, way: Op
     SurfaceFields::made_of(radius, load, displacement)
 }
 
-/// A stretch in panels that hold it.
+/// A segment in panels that hold it.
 fn cut((low, high): (f64, f64), cuts: u32, largest: f64, sample: &dyn Fn(f64) -> f64, panels: &mut Vec<Panel>) {
     let panel = Panel::sampled(low, high, sample);
     let largest = panel.values.iter().fold(largest, |most, value| most.max(value.abs()));

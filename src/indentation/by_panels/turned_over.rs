@@ -3,8 +3,8 @@
 use super::closure::Way;
 use super::energies::TurnedOver;
 use super::gauss::{Gauss, NODES};
+use super::integration::Integration;
 use super::line::series;
-use super::march::March;
 use std::f64::consts::PI;
 
 /// Defect of the balance of energies on a part of a panel, over the tolerance and what has been turned over; rounding of what is stored; change by halving, over the
@@ -36,7 +36,7 @@ impl Part {
     }
 }
 
-impl March<'_> {
+impl Integration<'_> {
     /// What is turned over on a part of a panel, of which the stored energy at both ends is known: halved where F dΔ + G_tip dA = dU + P_d dt does not close
     /// and halves differ from the whole.
     pub(super) fn turned(&self, way: Way<'_>, part: Part, stored: [f64; 2], halvings: u32, parts: &mut Vec<Part>) {

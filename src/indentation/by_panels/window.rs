@@ -78,7 +78,7 @@ impl Window {
         near.flat_map(move |at| [edge - at.place, zone - (at.place - edge)])
     }
 
-    /// The part of the window between segments of the past.
+    /// The part of the window between segments of the path history.
     pub(super) fn between(&mut self, scene: &Scene<'_>, line: &Line, low: f64, high: f64) {
         let (edge, zone) = (scene.edge, scene.zone);
         let mut borders = vec![low, high];
@@ -145,12 +145,12 @@ impl Window {
             let u = piece.from + span * x;
             node.y = match piece.lead {
                 None => {
-                    node.stretch = span;
+                    node.width = span;
                     u
                 }
                 Some(inside) => {
                     let (place, slope) = if inside { piece.inner.place_at(*inner) } else { piece.outer.place_at(*outer) };
-                    node.stretch = -slope * span;
+                    node.width = -slope * span;
                     if piece.under_way.is_some() {
                         (node.theta, node.slope) = (u, slope);
                     }

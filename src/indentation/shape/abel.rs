@@ -1,6 +1,6 @@
 //! The exact line profile of one piece of a shape: f = s∫z′/√(s² − r²) dr and f′ = ∫(z′ + r z″)/√(s² − r²) dr.
 //!
-//! Every term of the sums is of one sign where z is convex. Where it is not, terms of f′ cancel, so the sum of their magnitudes is told as well: rounding is
+//! Every term of the sums is of one sign where z is convex. Where it is not, terms of f′ cancel, so the sum of their magnitudes is reported as well: rounding is
 //! relative to it. With r = s − y² the integrand is a polynomial of fourth degree in y over
 //! √(2s − y²), which eight nodes integrate to rounding; far from s the root itself is smooth, and nodes in r do without the roots.
 
@@ -9,7 +9,7 @@ use crate::special::gauss_legendre::UNIT_RULE_8;
 
 /// Widths of a piece between it and s beyond which nodes in r are exact to rounding: 8 nodes err as ρ^{−16}, ρ = 9.9.
 const FAR: f64 = 2.0;
-/// The root of a distance from s, over what is left to √(2s), where it ends: 8 nodes to a stretch of 1/2.4 err as ρ^{−16}, ρ = 11.5.
+/// The root of a distance from s, over what is left to √(2s), where it ends: 8 nodes to an interval of 1/2.4 err as ρ^{−16}, ρ = 11.5.
 const WIDEST: f64 = 2.4;
 
 /// z = z₀ + c₀x + c₁x²/2 + c₂x³/3, x = r − low, of low ≤ r ≤ high.

@@ -6,7 +6,8 @@
 //! | f(s) | line profile, s∫₀^s z′/√(s² − r²) dr | m |
 //!
 //! Between the points z is a cubic that rises; the slopes at the points are those of the spline with a continuous second derivative, cut back where
-//! they leave the range of the secants beside them, or are so steep that a cubic would not rise (Fritsch and Carlson, [10.1137/0717021](https://doi.org/10.1137/0717021)). On the axis the shape is even in r, z′ = 0, unless
+//! they leave the range of the secants beside them, or are so steep that a cubic would not rise (Fritsch and Carlson,
+//! [10.1137/0717021](https://doi.org/10.1137/0717021)). On the axis the shape is even in r, z′ = 0, unless
 //! the first points say that it has a sharp tip. f and f′ are then exact integrals ([`abel`]); because f has a weak root singularity at each
 //! point, (s − r_i)^{5/2}, they are kept as Chebyshev series in √(s − r_i) from point to point ([`series`]), to rounding.
 
@@ -92,7 +93,7 @@ impl TabulatedShape {
         let heights: Vec<f64> = points.iter().map(|point| point.1 / height).collect();
         let rises = |values: &[f64]| values.windows(2).all(|pair| pair[1] > pair[0]);
         if !rises(&knots) || !rises(&heights) {
-            return Err(Refusal::out_of_range("points of a shape", end, "further apart: they cannot be told from one another"));
+            return Err(Refusal::out_of_range("points of a shape", end, "further apart: they cannot be distinguished from one another"));
         }
         let slopes = slopes::rising(&knots, &heights);
         let series = Series::of(Piece::all(&knots, &heights, &slopes))?;

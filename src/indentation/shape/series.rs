@@ -10,16 +10,16 @@ use std::sync::{LazyLock, OnceLock};
 const TERMS: usize = 24;
 /// Last coefficients over the largest, of f′ over the magnitude of its terms, below which a series has converged.
 const SMALL: f64 = 2e-15;
-/// Halvings of a stretch, all towards a point near which another one lies.
+/// Halvings of an interval, all towards a point near which another one lies.
 const DEEPEST: u32 = 40;
 /// Most series from one point to the next. Halving towards a near point takes one a halving and the deepest ones two; what asks for more is noise, and is
 /// summed piece by piece.
-const MOST_STRETCHES: usize = 3 * DEEPEST as usize;
+const MOST_INTERVALS: usize = 3 * DEEPEST as usize;
 
-/// Widths of a stretch between it and a piece beyond which so many places in it tell what the piece does, the widest first: their series err as ρ^{−places},
+/// Widths of an interval between it and a piece beyond which so many places in it tell what the piece does, the widest first: their series err as ρ^{−places},
 /// ρ = z + √(z² − 1), z = 1 + 2·widths.
 const FAR: [(f64, usize); 3] = [(50.0, 7), (10.0, 10), (2.0, 16)];
-/// What each of these places, a part of the stretch, adds to the places of a series, of an even one and of a rooted one.
+/// What each of these places, a part of the interval, adds to the places of a series, of an even one and of a rooted one.
 type FarPlace = (f64, [[f64; TERMS]; 2]);
 static FAR_PLACES: LazyLock<[Vec<FarPlace>; 3]> = LazyLock::new(|| FAR.map(|(_, count)| far_places(count)));
 
@@ -29,7 +29,7 @@ static COSINES: LazyLock<[[f64; TERMS]; TERMS]> =
 
 /// f and f′ over low ≤ s ≤ high.
 #[derive(Debug, Clone, PartialEq)]
-struct Stretch {
+struct Interval {
     low: f64,
     width: f64,
     /// Whether it starts at a point, where f is smooth in √(s − low).
@@ -38,10 +38,10 @@ struct Stretch {
     slope: [f64; TERMS],
 }
 
-/// The stretches from one point to the next; none where so many do not suffice.
-type Section = OnceLock<Option<Vec<Stretch>>>;
+/// The intervals from one point to the next; none where so many do not suffice.
+type Section = OnceLock<Option<Vec<Interval>>>;
 
-/// f and f′ from the axis on. A section is cut into stretches when it is first asked for: few contacts reach all points of a table.
+/// f and f′ from the axis on. A section is cut into intervals when it is first asked for: few contacts reach all points of a table.
 #[derive(Debug, Clone)]
 pub(super) struct Series {
     pieces: Vec<Piece>,
@@ -92,11 +92,13 @@ impl Series {
         let Some(suspect) = self.pieces.iter().position(|piece| !piece.pushes_up()) else { return Ok(None) };
         let mut places: Vec<f64> = (1..=TERMS).map(|k| self.first * k as f64 / TERMS as f64).collect();
         for index in suspect.max(1)..self.pieces.len() {
-            let Some(stretches) = self.section(index) else { return Err(unresolved()) };
+            let Some(intervals) = self.section(index) else { return Err(unresolved()) };
             // Where the first term is larger than all others together, f′ cannot vanish.
-            let may_fall = stretches.iter().filter(|stretch| 2.0 * stretch.slope[0] <= stretch.slope.iter().map(|c| c.abs()).sum::<f64>());
-            places
-                .extend(may_fall.flat_map(|stretch| (0..=2 * TERMS).map(|k| stretch.low + stretch.width * k as f64 / (2 * TERMS) as f64)));
+            let may_fall =
+                intervals.iter().filter(|interval| 2.0 * interval.slope[0] <= interval.slope.iter().map(|c| c.abs()).sum::<f64>());
+            places.extend(
+                may_fall.flat_map(|interval| (0..=2 * TERMS).map(|k| interval.low + interval.width * k as f64 / (2 * TERMS) as f64)),
+            );
         }
         Ok(places.into_iter().find(|s| self.slope(*s) <= 0.0))
     }
@@ -105,13 +107,13 @@ impl Series {
         self.pieces.partition_point(|piece| piece.low <= s).saturating_sub(1)
     }
 
-    fn section(&self, index: usize) -> Option<&[Stretch]> {
-        self.sections.get(index)?.get_or_init(|| stretches(&self.pieces, self.pieces.get(index)?)).as_deref()
+    fn section(&self, index: usize) -> Option<&[Interval]> {
+        self.sections.get(index)?.get_or_init(|| intervals(&self.pieces, self.pieces.get(index)?)).as_deref()
     }
 
-    fn stretch(&self, s: f64) -> Option<&Stretch> {
-        let stretches = self.section(self.index(s))?;
-        stretches.get(stretches.partition_point(|stretch| stretch.low <= s).saturating_sub(1))
+    fn interval(&self, s: f64) -> Option<&Interval> {
+        let intervals = self.section(self.index(s))?;
+        intervals.get(intervals.partition_point(|interval| interval.low <= s).saturating_sub(1))
     }
 
     /// f and f′, and the magnitudes of the terms of f′, where no series has them.
@@ -120,15 +122,15 @@ impl Series {
         line_profile(&self.pieces, low, s - low)
     }
 
-    /// f at eight places in rising order, side by side where one stretch holds them all: the same digits as one by one.
+    /// f at eight places in rising order, side by side where one interval holds them all: the same digits as one by one.
     pub(super) fn values(&self, places: &Row) -> Row {
         let [low, .., high] = *places;
         if low > self.first
             && high < 1.0
-            && let (Some(stretch), Some(other)) = (self.stretch(low), self.stretch(high))
-            && std::ptr::eq(stretch, other)
+            && let (Some(interval), Some(other)) = (self.interval(low), self.interval(high))
+            && std::ptr::eq(interval, other)
         {
-            return sum(&stretch.value, places.map(|s| stretch.variable(s)));
+            return sum(&interval.value, places.map(|s| interval.variable(s)));
         }
         places.map(|s| self.value(s))
     }
@@ -140,7 +142,7 @@ impl Series {
         if s >= 1.0 {
             return self.last[0] + (s - 1.0) * (self.last[1] + (s - 1.0) * self.last[2]);
         }
-        self.stretch(s).map_or_else(|| self.summed(s)[0], |stretch| sum(&stretch.value, [stretch.variable(s)])[0])
+        self.interval(s).map_or_else(|| self.summed(s)[0], |interval| sum(&interval.value, [interval.variable(s)])[0])
     }
 
     pub(super) fn slope(&self, s: f64) -> f64 {
@@ -150,20 +152,20 @@ impl Series {
         if s >= 1.0 {
             return self.last[1] + 2.0 * (s - 1.0) * self.last[2];
         }
-        self.stretch(s).map_or_else(|| self.summed(s)[1], |stretch| sum(&stretch.slope, [stretch.variable(s)])[0])
+        self.interval(s).map_or_else(|| self.summed(s)[1], |interval| sum(&interval.slope, [interval.variable(s)])[0])
     }
 }
 
 /// Of a piece, halved until their series have converged.
-fn stretches(pieces: &[Piece], piece: &Piece) -> Option<Vec<Stretch>> {
+fn intervals(pieces: &[Piece], piece: &Piece) -> Option<Vec<Interval>> {
     let mut found = Vec::new();
     // What is still to be covered, from the point on, the nearest last.
     let mut waiting = vec![(0.0, piece.high - piece.low, true, 0)];
     while let Some((from, to, rooted, depth)) = waiting.pop() {
-        let (stretch, converged) = Stretch::sampled(pieces, piece.low, [from, to], rooted);
+        let (interval, converged) = Interval::sampled(pieces, piece.low, [from, to], rooted);
         if converged {
-            found.push(stretch);
-        } else if depth < DEEPEST && found.len() < MOST_STRETCHES {
+            found.push(interval);
+        } else if depth < DEEPEST && found.len() < MOST_INTERVALS {
             let middle = 0.5 * (from + to);
             waiting.push((middle, to, false, depth + 1));
             waiting.push((from, middle, rooted, depth + 1));
@@ -178,13 +180,13 @@ fn unresolved() -> Refusal {
     Refusal::NotConverged { what: "the line profile of a shape", detail: "its points are too uneven".into() }
 }
 
-impl Stretch {
+impl Interval {
     /// The series through TERMS places that lie so far beyond a point, and whether they suffice.
     fn sampled(pieces: &[Piece], point: f64, [from, to]: [f64; 2], rooted: bool) -> (Self, bool) {
         let (low, high, width) = (point + from, point + to, to - from);
         let cosines = &*COSINES;
         let parts = parts(rooted);
-        // The pieces from the axis to the stretch, the far ones of each rule and the near ones.
+        // The pieces from the axis to the interval, the far ones of each rule and the near ones.
         let mut rest = pieces.get(..pieces.partition_point(|piece| (point - piece.low) + to > 0.0)).unwrap_or(pieces);
         let mut sums = [[0.0; 3]; TERMS];
         for ((widths, _), places) in FAR.iter().zip(FAR_PLACES.iter()) {
@@ -215,7 +217,7 @@ impl Stretch {
         let small = |series: &[f64; TERMS], scale: f64| series[TERMS - 3..].iter().all(|c| c.abs() <= SMALL * scale);
         // Where terms of f′ cancel, no more digits are there than their magnitudes leave.
         let slope_scale = samples.iter().fold(0.0, |most: f64, sample| most.max(sample[2])).max(value[0].abs() / high);
-        // A stretch as narrow as rounding is a line.
+        // An interval as narrow as rounding is a line.
         let converged = (small(&value, value[0].abs()) && small(&slope, 4.0 * slope_scale)) || width <= 1e-12 * high;
         (Self { low, width, rooted, value, slope }, converged)
     }
@@ -238,7 +240,7 @@ fn far_places(count: usize) -> Vec<FarPlace> {
         .collect()
 }
 
-/// Parts of a stretch at which the places of its series lie.
+/// Parts of an interval at which the places of its series lie.
 fn parts(rooted: bool) -> [f64; TERMS] {
     COSINES[1].map(|cosine| {
         let x = 0.5 * (1.0 + cosine);

@@ -1,7 +1,7 @@
 //! What is asked of a branch, in reduced units.
 
 use crate::closure::work_by_speed::WorkBySpeed;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::{Refusal, require_positive};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::{SlidingControl, WaveAdhesion};
@@ -30,7 +30,8 @@ pub enum BranchStart {
     Slow,
     /// Along speeds: the fast one.
     Fast,
-    /// Near given edges, half-width and eccentricity in 1/k, at a given mean pressure and parameter (rate kv in 1/s, Γ, or factor of the zones; along loads of no meaning).
+    /// Near given edges, half-width and eccentricity in 1/k, at a given mean pressure and parameter (rate kv in 1/s, Γ, or factor of the zones; along loads of no
+    /// meaning).
     Near {
         /// a.
         half_width: f64,
@@ -117,7 +118,7 @@ impl<'a> BranchProblem<'a> {
     }
 
     /// The edge conditions at a point of the branch, for its accurate contacts.
-    pub(super) fn prepared(&self, material: &Material, third: f64) -> Result<Prepared, Refusal> {
+    pub(super) fn prepared(&self, material: &PlaneMaterial, third: f64) -> Result<Prepared, Refusal> {
         let (rate, adhesion) = self.at(third);
         Prepared::new(material, rate, self.indenter, Some(adhesion))
     }

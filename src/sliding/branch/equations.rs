@@ -11,7 +11,7 @@
 use super::conditions::{BranchPath, BranchProblem};
 use crate::continuation::curve::{CurveEquations, Evaluated};
 use crate::continuation::two_unknowns::TwoResiduals;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, ContactMemory, Indenter, Prescribed, Resolution};
 use crate::sliding::edge_balance::{EdgeBalance, EdgeStates, SlidingControl};
@@ -26,7 +26,7 @@ const ROUNDING: f64 = 1e-15;
 
 /// The equations of a branch at one resolution.
 pub(super) struct BranchEquations<'a> {
-    material: &'a Material,
+    material: &'a PlaneMaterial,
     problem: &'a BranchProblem<'a>,
     resolution: Resolution,
     /// At the rate and adhesion of the problem; serves every point along loads and adhesions.
@@ -42,7 +42,7 @@ impl<'a> BranchEquations<'a> {
     ///
     /// # Errors
     /// Those of the material at that rate.
-    pub(super) fn new(material: &'a Material, problem: &'a BranchProblem<'a>, resolution: Resolution) -> Result<Self, Refusal> {
+    pub(super) fn new(material: &'a PlaneMaterial, problem: &'a BranchProblem<'a>, resolution: Resolution) -> Result<Self, Refusal> {
         let rate = if matches!(problem.path, BranchPath::Speeds(_)) { problem.parameters[0] } else { problem.rate };
         let prepared = Self::balance(material, problem, resolution, rate, 0.0)?;
         Ok(Self {
@@ -57,7 +57,7 @@ impl<'a> BranchEquations<'a> {
     }
 
     fn balance(
-        material: &Material,
+        material: &PlaneMaterial,
         problem: &BranchProblem<'_>,
         resolution: Resolution,
         rate: f64,

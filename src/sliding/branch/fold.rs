@@ -11,7 +11,7 @@ use super::values::widened;
 use crate::continuation::curve::{CurveEquations, Quantity, linearized};
 use crate::continuation::fold::{CENTRAL_STEP, Differences, FoldPoint, between, located, part_at, shifted};
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{Indenter, Resolution};
 use crate::sliding::edge_balance::{EdgeStates, SlidingControl};
@@ -25,9 +25,9 @@ const NEAR_TURN: f64 = 0.1;
 const COARSEST_FOR: f64 = 1e-9;
 /// Accuracies from here on take differences of second order.
 pub(super) const LOOSE: f64 = 1e-5;
-/// Residual of the fold equations over the accuracy: it widens the bars.
+/// Residual of the fold equations over the accuracy: it widens the bounds.
 const RESIDUAL: f64 = 1e-3;
-/// Share of the accuracy that the uncertain place of a fold may take; bars of the contact there are its own as well.
+/// Share of the accuracy that the uncertain place of a fold may take; bounds of the contact there are its own as well.
 const PLACE: f64 = 0.5;
 /// A place whose shift at the next level is below this part of its error is uncertain by rounding.
 const ROUNDED: f64 = 0.05;
@@ -67,7 +67,7 @@ impl FoldQuantity {
     }
 
     /// The quantity itself at a fold of what the curve has in its place, with an error.
-    fn told(self, problem: &BranchProblem, point: &FoldPoint<EdgeStates>, error: f64) -> Estimate {
+    fn reported(self, problem: &BranchProblem, point: &FoldPoint<EdgeStates>, error: f64) -> Estimate {
         let state = &point.found.state.state;
         match self {
             Self::HalfWidth => {
@@ -108,7 +108,7 @@ pub struct Fold {
     pub turn: Turn,
     /// The value at the turn, of the quantity as it is named (logarithms too).
     pub value: Estimate,
-    /// The contact at the turn; bars include what is uncertain of its place.
+    /// The contact at the turn; bounds include what is uncertain of its place.
     pub contact: PartialValues,
     /// Whether one side of the turn is stable under what turns (load or penetration; along parameters what is held); otherwise both are unstable.
     pub borders_stable: bool,
@@ -133,7 +133,7 @@ impl Fold {
     }
 }
 
-/// A fold at the level of resolution that the accuracy takes, with its bars.
+/// A fold at the level of resolution that the accuracy takes, with its bounds.
 struct Solved {
     point: FoldPoint<EdgeStates>,
     value: Estimate,
@@ -143,7 +143,7 @@ struct Solved {
 
 /// Solves a fold at one level and sees what it is off at the next, with longer differences as well, until that is below the accuracy.
 fn solved(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     quantity: FoldQuantity,
     (start, scales): ([f64; 3], [f64; 3]),
@@ -173,7 +173,7 @@ fn solved(
             }
             Err(refusal) => return Err(refusal),
         };
-        let value = quantity.told(problem, &point, (1.0 + MARGIN) * shift.value.abs() + point.value_rounding);
+        let value = quantity.reported(problem, &point, (1.0 + MARGIN) * shift.value.abs() + point.value_rounding);
         let shifts = shift.unknowns.map(|shift| (1.0 + MARGIN) * shift.abs());
         let errors: [f64; 3] = std::array::from_fn(|index| shifts[index] + point.unknown_rounding[index]);
         // Its place is an output as well, and less sure than what turns there.
@@ -201,7 +201,7 @@ fn solved(
 /// # Errors
 /// [`Refusal::NotConverged`] if nothing turns there.
 pub(in crate::sliding) fn turn_near(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     quantity: FoldQuantity,
     start: [f64; 3],
@@ -212,7 +212,7 @@ pub(in crate::sliding) fn turn_near(
 
 /// The fold between two neighbouring points of a coarse curve.
 pub(super) fn located_fold(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     quantity: FoldQuantity,
     from: &Coarse,
@@ -252,7 +252,7 @@ pub(super) fn located_fold(
 /// The contact at given unknowns of a curve, with what their errors make of its values. Prescribed is the half-width or the mean pressure, whichever
 /// changes along the curve, so that a turn of the other is an ordinary contact.
 pub(super) fn contact_at(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     unknowns: [f64; 3],
     (pressure, by_pressure): (f64, bool),
@@ -273,7 +273,7 @@ pub(super) fn contact_at(
         Ok(near(&problem.prepared(material, third)?, &problem.steady(third, control(given)), &Start::at(guess, eccentricity), work)?.values)
     };
     let here = at(given, third)?;
-    // Differences far above the bars of both, far below curvature, and away from the narrower of contact and gap.
+    // Differences far above the bounds of both, far below curvature, and away from the narrower of contact and gap.
     let room = match control(given) {
         SlidingControl::HalfWidth(half_width) => half_width.min(problem.indenter.widest() - half_width),
         _ => given.abs().max(1e-3),

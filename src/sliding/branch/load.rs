@@ -5,7 +5,7 @@ use super::equations::BranchEquations;
 use crate::continuation::curve::{CurveEquations, tangent_of};
 use crate::continuation::fold::{CENTRAL_STEP, Differences, gradients};
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
@@ -35,7 +35,7 @@ pub struct LoadSlopes {
 /// # Errors
 /// Those of the contact; [`Refusal::Undefined`] if the branch is not one of loads.
 pub fn load_slopes(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     half_width: f64,
     start: Option<(f64, f64)>,
@@ -43,7 +43,7 @@ pub fn load_slopes(
     if problem.path != BranchPath::Loads {
         return Err(Refusal::Undefined { quantity: "the slope of the load", reason: "the branch is not one of loads".into() });
     }
-    // Slopes are taken at the contact that is found: what it is off counts in them, and their bars do not see it.
+    // Slopes are taken at the contact that is found: what it is off counts in them, and their bounds do not see it.
     let steady = problem.steady(0.0, SlidingControl::HalfWidth(half_width));
     let steady = SlidingProblem { accuracy: steady.accuracy.min(CONTACT_ACCURACY), ..steady };
     let contact = match start {

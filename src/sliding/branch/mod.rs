@@ -18,7 +18,7 @@
 //! | [`BranchPath::Zones`] | process zones, in a fixed ratio | …, ln of their factor | the factor |
 //!
 //! Units are the reduced ones of [`Indenter`](super::contact::Indenter); rates kv in 1/s. Curves are followed coarsely; points that are kept, folds, states without load
-//! and the toughness are then solved to the accuracy asked for, each with its error bar. Source: thesis Sec 3.7 and Figs 3.14, 3.15.
+//! and the toughness are then solved to the accuracy asked for, each with its error bound. Source: thesis Sec 3.7 and Figs 3.14, 3.15.
 
 mod conditions;
 mod end;

@@ -2,15 +2,15 @@
 //!
 //! The slow contact of a load is followed to growing speeds, the fast one to falling ones. Where the slow one turns back at a speed below that at which the fast one
 //! does, and each returns to the end it came from, every elastic contact of the load at either end belongs to one of the two curves: between
-//! the folds none of them is left. A closed curve that reaches neither end (an isola) is another matter: a scan of every contact looks for it, at rates between the folds, or at
-//! all rates asked for where neither end has a contact: a load beyond both elastic limits may still be borne by speeds between.
+//! the folds none of them is left. A closed curve that reaches neither end (an isola) is another matter: a scan of every contact looks for it, at rates between the
+//! folds, or at all rates asked for where neither end has a contact: a load beyond both elastic limits may still be borne by speeds between.
 
 use super::conditions::{BranchPath, BranchProblem, BranchStart};
 use super::end::BranchEnd;
 use super::fold::{Fold, FoldQuantity, Turn};
 use super::scan::{Scan, branches_through, contacts_at, scanned_parameters};
 use super::trace::{Branch, trace};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::equilibrium::ContactAt;
 use crate::sliding::steady::{SlidingWork, contact_on_the_curve};
@@ -43,12 +43,12 @@ pub struct SpeedFolds {
     pub no_contact: Option<NoContactBetween>,
     /// Branches that neither end of the speeds belongs to: closed ones (isolas), or such as end in between. Looked for between two folds, and everywhere where
     /// neither end has a contact.
-    pub apart: Vec<Branch>,
+    pub isolated: Vec<Branch>,
     /// What was looked at where neither end has a contact.
     pub everywhere: Option<Everywhere>,
     /// Contacts of the scan at rates (kv in 1/s) that no branch could be followed from, and why.
     pub others: Vec<(f64, ContactAt, Refusal)>,
-    /// Evaluations of both edge conditions by scans; those of the branches are told there.
+    /// Evaluations of both edge conditions by scans; those of the branches are counted there.
     pub scan_evaluations: u64,
 }
 
@@ -73,7 +73,7 @@ impl SpeedFolds {
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem.
-pub fn speed_folds(material: &Material, problem: &BranchProblem) -> Result<SpeedFolds, Refusal> {
+pub fn speed_folds(material: &PlaneMaterial, problem: &BranchProblem) -> Result<SpeedFolds, Refusal> {
     problem.checked()?;
     let from = |start| trace(material, &BranchProblem { start, ..*problem });
     let slow = from(BranchStart::Slow);
@@ -83,7 +83,7 @@ pub fn speed_folds(material: &Material, problem: &BranchProblem) -> Result<Speed
             slow,
             fast: None,
             no_contact: None,
-            apart: Vec::new(),
+            isolated: Vec::new(),
             everywhere: None,
             others: Vec::new(),
             scan_evaluations: 0,
@@ -91,7 +91,7 @@ pub fn speed_folds(material: &Material, problem: &BranchProblem) -> Result<Speed
     }
     let fast = from(BranchStart::Fast);
     let mut found =
-        SpeedFolds { slow, fast: None, no_contact: None, apart: Vec::new(), everywhere: None, others: Vec::new(), scan_evaluations: 0 };
+        SpeedFolds { slow, fast: None, no_contact: None, isolated: Vec::new(), everywhere: None, others: Vec::new(), scan_evaluations: 0 };
     match (&found.slow, &fast) {
         (Ok(slow), Ok(fast)) => {
             if let Some(gap) = between(slow, fast, problem) {
@@ -121,16 +121,16 @@ pub fn speed_folds(material: &Material, problem: &BranchProblem) -> Result<Speed
 
 impl SpeedFolds {
     /// Follows branches from contacts that belong to no other.
-    fn follow(&mut self, material: &Material, problem: &BranchProblem, contacts: Vec<(f64, ContactAt)>) {
+    fn follow(&mut self, material: &PlaneMaterial, problem: &BranchProblem, contacts: Vec<(f64, ContactAt)>) {
         let (branches, left_over) = branches_through(material, problem, Vec::new(), contacts);
-        self.apart = branches;
+        self.isolated = branches;
         self.others = left_over.into_iter().map(|(contact, rate, refusal)| (rate, contact, refusal)).collect();
     }
 }
 
-/// Whether neither end of the speeds bears the load, penetration or half-width that is held, by the equilibrium curves there: then all speeds are scanned.
+/// Whether neither end of the speeds carries the load, penetration or half-width that is held, by the equilibrium curves there: then all speeds are scanned.
 #[must_use]
-pub fn beyond_both_ends(material: &Material, problem: &BranchProblem) -> bool {
+pub fn beyond_both_ends(material: &PlaneMaterial, problem: &BranchProblem) -> bool {
     let BranchPath::Speeds(control) = problem.path else { return false };
     let carries = |rate: f64| contact_on_the_curve(material, &problem.steady(rate.ln(), control), &mut SlidingWork::default()).is_ok();
     problem.parameters.iter().all(|&rate| !carries(rate))

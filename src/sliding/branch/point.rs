@@ -10,7 +10,7 @@ use crate::continuation::arclength::landed;
 use crate::continuation::curve::{CurveEquations, Quantity};
 use crate::continuation::two_unknowns::Jacobian;
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
@@ -24,7 +24,7 @@ const NARROW: f64 = 0.2;
 /// Largest distance of an accurate point from the coarse curve in scaled unknowns.
 const FARTHEST: f64 = 0.03;
 
-/// The resolution of second variations: signs are told to five digits.
+/// The resolution of second variations: signs are known to five digits.
 pub(super) const VARIATIONS: Resolution = Resolution::Medium;
 
 /// A point of a branch.
@@ -41,7 +41,7 @@ pub struct BranchPoint {
 }
 
 /// What a branch is of: the material, the problem, and along loads the conditions at its one speed.
-pub(super) type Of<'a> = (&'a Material, &'a BranchProblem<'a>, Option<&'a Prepared>);
+pub(super) type Of<'a> = (&'a PlaneMaterial, &'a BranchProblem<'a>, Option<&'a Prepared>);
 
 /// A Jacobian of a contact nearby, with whether it is of a prescribed half-width.
 pub(super) type Nearby = Option<(bool, Jacobian)>;

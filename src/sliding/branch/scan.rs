@@ -8,7 +8,7 @@ use super::conditions::{BranchPath, BranchProblem, BranchStart};
 use super::start::place_of;
 use super::trace::{Branch, trace};
 use crate::continuation::fold::interpolated;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, ContactMemory, Indenter, Resolution};
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
@@ -58,7 +58,7 @@ pub struct EveryBranch {
     pub branches: Vec<Branch>,
     /// Contacts that the scan found.
     pub contacts: usize,
-    /// Evaluations of both edge conditions by the scan; those of the branches are told there.
+    /// Evaluations of both edge conditions by the scan; those of the branches are counted there.
     pub scan_evaluations: u64,
     /// Contacts that lie on no branch, with the third unknown (p̄, rate kv, Γ or factor) and why none was followed from there.
     pub left_over: Vec<(ContactAt, f64, Refusal)>,
@@ -68,7 +68,7 @@ pub struct EveryBranch {
 ///
 /// # Errors
 /// Those of the problem and of its contacts.
-pub fn contacts_of_width(material: &Material, problem: &BranchProblem, half_width: f64) -> Result<Vec<ContactAt>, Refusal> {
+pub fn contacts_of_width(material: &PlaneMaterial, problem: &BranchProblem, half_width: f64) -> Result<Vec<ContactAt>, Refusal> {
     problem.checked()?;
     let memory = Arc::new(ContactMemory::new(material, problem.rate)?);
     ContactsOfWidth::new(conditions(memory, problem.indenter, problem.adhesion, Resolution::Medium)).at(half_width)
@@ -92,7 +92,7 @@ fn row(problem: &BranchProblem, count: usize) -> Vec<f64> {
 
 /// The contacts of a control, and how often both edge conditions were evaluated, at the rate and adhesion of a value of the third unknown.
 pub(in crate::sliding) fn contacts_of(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     control: Option<SlidingControl>,
     third: f64,
@@ -124,7 +124,7 @@ pub(in crate::sliding) fn contacts_of(
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem.
-pub fn every_branch(material: &Material, problem: &BranchProblem, scan: Scan) -> Result<EveryBranch, Refusal> {
+pub fn every_branch(material: &PlaneMaterial, problem: &BranchProblem, scan: Scan) -> Result<EveryBranch, Refusal> {
     problem.checked()?;
     let starts =
         if matches!(problem.path, BranchPath::Speeds(_)) { &[BranchStart::Slow, BranchStart::Fast][..] } else { &[BranchStart::Slow] };
@@ -156,7 +156,7 @@ pub(super) fn scanned_parameters(problem: &BranchProblem, scan: Scan) -> Vec<f64
 
 /// Every contact of the control that is held at values of the third unknown, with that value; and how often both edge conditions were evaluated.
 pub(super) fn contacts_at(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     thirds: &[f64],
     half_widths: usize,
@@ -179,7 +179,7 @@ type LeftOver = (ContactAt, f64, Refusal);
 
 /// The branches through contacts that lie on none of those known, after these.
 pub(super) fn branches_through(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     mut branches: Vec<Branch>,
     mut open: Vec<(f64, ContactAt)>,

@@ -24,8 +24,8 @@ const STEP: f64 = 5e-4;
 const WIDEST_SHIFT: f64 = 0.05;
 /// Rounding of the penetration's differences, over their size.
 const DEPTH_ROUNDING: f64 = 1e-12;
-/// A sign below this part of the terms that make it up is not told.
-const UNTOLD: f64 = 1e-5;
+/// A sign below this part of the terms that make it up is not resolved.
+const UNRESOLVED: f64 = 1e-5;
 
 /// Whether a contact stays where it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,7 +47,7 @@ pub struct SecondVariations {
     pub by_load: [f64; 2],
     /// ∂Δ/∂l_j at fixed mean pressure.
     pub penetration_by_edges: [f64; 2],
-    /// ∂Δ/∂p̄ at fixed edges; positive.
+    /// ∂Δ/∂p̄ at fixed edges, in reduced units; positive.
     pub penetration_by_load: f64,
     /// Whether a penetration is defined: not of a parabola, whose fixed penetration is a fixed load.
     pub has_penetration: bool,
@@ -60,7 +60,7 @@ pub struct SecondVariations {
 /// ```text
 /// S = (work₁ + work₂)/4πΓ      D = (work₂ − work₁)/4πΓ      det M = S_a D_e − D_a S_e
 /// ```
-/// Near full contact both edges stand at the ends of one narrow gap and M is all but singular: what tells the edges apart, D_e, is smaller than S_a by the
+/// Near full contact both edges stand at the ends of one narrow gap and M is all but singular: what distinguishes the edges, D_e, is smaller than S_a by the
 /// width of the gap squared. Formed of differences of its own it keeps its digits, which the entries of M lose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Even {
@@ -95,7 +95,7 @@ impl Even {
         ]
     }
 
-    /// det M and the size below which its sign is not told.
+    /// det M and the size below which its sign is not resolved.
     fn determinant(&self, compliance: Option<f64>) -> (f64, f64) {
         let [[sum_wider, sum_ahead], [difference_wider, difference_ahead]] = self.held(compliance);
         let mut errors = [self.rounding[0], self.rounding[1]];
@@ -112,8 +112,8 @@ impl Even {
         let by_width = errors[0] + self.digits * wider;
         let by_shift = errors[1] + self.digits * (ahead + difference_ahead.abs());
         let sized = (sum_wider * difference_ahead).abs() + (difference_wider * sum_ahead).abs();
-        let untold = (sum_wider.abs() + difference_wider.abs()) * by_shift + (sum_ahead.abs() + difference_ahead.abs()) * by_width;
-        (sum_wider * difference_ahead - difference_wider * sum_ahead, untold.max(UNTOLD * sized))
+        let unresolved = (sum_wider.abs() + difference_wider.abs()) * by_shift + (sum_ahead.abs() + difference_ahead.abs()) * by_width;
+        (sum_wider * difference_ahead - difference_wider * sum_ahead, unresolved.max(UNRESOLVED * sized))
     }
 }
 
@@ -213,13 +213,13 @@ impl SecondVariations {
     #[must_use]
     pub fn in_frame(&self, frame_stiffness: f64) -> Stability {
         let [[first, second], [third, fourth]] = self.in_frame_matrix(frame_stiffness);
-        let (determinant, untold) = self.even.determinant(self.compliance(frame_stiffness));
+        let (determinant, unresolved) = self.even.determinant(self.compliance(frame_stiffness));
         let entries = first.abs().max(second.abs()).max(third.abs()).max(fourth.abs());
-        if [determinant, first, fourth].iter().any(|value| value.is_nan()) || determinant.abs() <= untold {
+        if [determinant, first, fourth].iter().any(|value| value.is_nan()) || determinant.abs() <= unresolved {
             Stability::Marginal
-        } else if determinant < 0.0 || first < -UNTOLD * entries || fourth < -UNTOLD * entries {
+        } else if determinant < 0.0 || first < -UNRESOLVED * entries || fourth < -UNRESOLVED * entries {
             Stability::Unstable
-        } else if first > UNTOLD * entries && fourth > UNTOLD * entries {
+        } else if first > UNRESOLVED * entries && fourth > UNRESOLVED * entries {
             Stability::Stable
         } else {
             Stability::Marginal
@@ -228,7 +228,7 @@ impl SecondVariations {
 
     /// Whether both edges taken alone are held, with the other one at rest: at a turn, whether a stable contact is next to it.
     #[must_use]
-    pub fn each_edge_is_held(&self, frame_stiffness: f64) -> bool {
+    pub(crate) fn each_edge_is_held(&self, frame_stiffness: f64) -> bool {
         let [[first, _], [_, fourth]] = self.in_frame_matrix(frame_stiffness);
         first > 0.0 && fourth > 0.0
     }

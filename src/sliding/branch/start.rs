@@ -4,7 +4,7 @@ use super::conditions::{BranchPath, BranchProblem, BranchStart};
 use super::scan::contacts_of;
 use super::stability::{SecondVariations, Stability};
 use super::trace::BranchWork;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
@@ -26,13 +26,13 @@ pub(super) fn place_of(problem: &BranchProblem, half_width: f64) -> f64 {
 }
 
 /// The unknowns at which a branch begins.
-pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
-    // What there is where no contact is found is told by these very branches.
-    let told_by_branches = !matches!(problem.path, BranchPath::Adhesions(_));
+pub(super) fn start(material: &PlaneMaterial, problem: &BranchProblem, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
+    // What there is where no contact is found is shown by these very branches.
+    let known_from_branches = !matches!(problem.path, BranchPath::Adhesions(_));
     let mut steady = |rate: f64, control: SlidingControl| -> Result<(PartialValues, f64), Refusal> {
         let problem = at_start(problem, rate, control);
         let mut counters = SlidingWork::default();
-        let found = if told_by_branches {
+        let found = if known_from_branches {
             contact_on_the_curve(material, &problem, &mut counters)
         } else {
             match steady_sliding(material, &problem)? {
@@ -92,8 +92,9 @@ fn at_start<'a>(problem: &BranchProblem<'a>, rate: f64, control: SlidingControl)
     SlidingProblem { rate, indenter, adhesion, work_by_speed, control, accuracy: START_ACCURACY }
 }
 
-/// A contact among all of a row of half-widths (along loads), or among all of the control that is held: a stable one if there is one, else that of the smallest eccentricity.
-fn by_scan(material: &Material, problem: &BranchProblem, refusal: Refusal, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
+/// A contact among all of a row of half-widths (along loads), or among all of the control that is held: a stable one if there is one, else that of the smallest
+/// eccentricity.
+fn by_scan(material: &PlaneMaterial, problem: &BranchProblem, refusal: Refusal, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
     if matches!(refusal, Refusal::OutOfRange { .. } | Refusal::Undefined { .. }) {
         return Err(refusal);
     }

@@ -5,7 +5,7 @@ use super::fold::{Fold, FoldQuantity};
 use super::stability::Stability;
 use super::toughness::{Toughness, of_branch};
 use super::trace::{Branch, BranchWork, as_far_as_snap_in, trace};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::WaveAdhesion;
@@ -44,7 +44,7 @@ impl Strength {
 pub struct StrengthAt {
     /// kv (1/s).
     pub rate: f64,
-    /// Γ of the trailing edge.
+    /// Γ of the trailing edge, in reduced units.
     pub reduced_work: f64,
     /// The strength, or why there is none.
     pub strength: Result<Strength, Refusal>,
@@ -53,7 +53,7 @@ pub struct StrengthAt {
 /// Pull-off, snap-in, Δ_out and toughness at each pair of a rate kv (1/s) and a work of adhesion Γ of the trailing edge (that of the leading one in a fixed ratio
 /// to it); rates fastest.
 #[must_use]
-pub fn strengths(material: &Material, rates: &[f64], works: &[f64], adhesion: WaveAdhesion, accuracy: f64) -> Vec<StrengthAt> {
+pub fn strengths(material: &PlaneMaterial, rates: &[f64], works: &[f64], adhesion: WaveAdhesion, accuracy: f64) -> Vec<StrengthAt> {
     let pairs: Vec<(f64, f64)> = works.iter().flat_map(|&work| rates.iter().map(move |&rate| (rate, work))).collect();
     pairs
         .into_par_iter()
@@ -68,7 +68,7 @@ pub fn strengths(material: &Material, rates: &[f64], works: &[f64], adhesion: Wa
 ///
 /// # Errors
 /// Those of [`trace`].
-pub fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength, Refusal> {
+pub fn strength(material: &PlaneMaterial, problem: &BranchProblem) -> Result<Strength, Refusal> {
     let mut work = BranchWork::default();
     // Of a cylinder no load is the largest.
     if problem.path == BranchPath::Loads
@@ -86,7 +86,7 @@ pub fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength
     Ok(of_branch_of_loads(material, problem, &branch))
 }
 
-fn of_branch_of_loads(material: &Material, problem: &BranchProblem, branch: &Branch) -> Strength {
+fn of_branch_of_loads(material: &PlaneMaterial, problem: &BranchProblem, branch: &Branch) -> Strength {
     let toughness = of_branch(material, problem, branch);
     let stable = || branch.zero_load.iter().find(|point| point.variations.under_load() == Stability::Stable).map(|point| point.values);
     let zero_load = toughness.as_ref().map_or_else(|_| stable(), |toughness| Some(toughness.unloaded));

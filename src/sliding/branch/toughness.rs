@@ -18,7 +18,7 @@ use super::load::{load_slopes, slopes_at};
 use super::trace::{Branch, BranchWork, near, trace};
 use crate::continuation::fold::{CENTRAL_STEP, Differences};
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::Resolution;
 use crate::sliding::edge_balance::SlidingControl;
@@ -67,12 +67,12 @@ struct Integral {
 /// # Errors
 /// [`Refusal::NoSuchState`] if no stable contact without load exists (adhesion closes the gap by itself) or no fold of Δ within the half-widths asked for; those of
 /// the branch.
-pub fn toughness(material: &Material, problem: &BranchProblem) -> Result<Toughness, Refusal> {
+pub fn toughness(material: &PlaneMaterial, problem: &BranchProblem) -> Result<Toughness, Refusal> {
     of_branch(material, problem, &trace(material, &BranchProblem { points: 0, ..*problem })?)
 }
 
 /// The toughness of a branch of loads that has been traced.
-pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &Branch) -> Result<Toughness, Refusal> {
+pub(super) fn of_branch(material: &PlaneMaterial, problem: &BranchProblem, branch: &Branch) -> Result<Toughness, Refusal> {
     let missing = |reason: &str, limit_name: &'static str, limit: f64| Refusal::NoSuchState { reason: reason.into(), limit_name, limit };
     let separation = branch.separation().ok_or_else(|| {
         missing("the penetration has no smallest value on this branch", "the narrowest half-width (in 1/k)", problem.half_widths[0])
@@ -150,7 +150,7 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
         let mut rougher: Option<Integral> = None;
         for (rule, step) in VANISHING_RULES.iter().zip(LOOSE_STEPS) {
             let better = integral(rule, Resolution::Medium, Differences { step, second_order: true }, LOOSE_CONTACT)?;
-            found = rougher.as_ref().map(|rough| (rough.value, told(rough, &better))).filter(|(value, error)| enough(*value, *error));
+            found = rougher.as_ref().map(|rough| (rough.value, off_by(rough, &better))).filter(|(value, error)| enough(*value, *error));
             if found.is_some() {
                 break;
             }
@@ -173,7 +173,7 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
 }
 
 /// What the rougher of two of Lobatto's rules is off.
-fn told(rough: &Integral, better: &Integral) -> f64 {
+fn off_by(rough: &Integral, better: &Integral) -> f64 {
     let highest = odd_power(rough.places.iter().chain(&better.places).copied().collect());
     (1.0 + MARGIN) * (better.value - rough.value).abs() + ODD * highest.abs() + rough.error
 }

@@ -10,7 +10,7 @@ use crate::continuation::arclength::{Curve, CurveEnd, Steps, follow, landed};
 use crate::continuation::curve::{CurveEquations, CurvePoint, Quantity};
 use crate::continuation::fold::{interpolated, part_at};
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::Resolution;
 use crate::sliding::edge_balance::{EdgeStates, SlidingControl};
@@ -75,7 +75,7 @@ impl Branch {
         self.folds.iter().filter(move |fold| fold.quantity == quantity)
     }
 
-    /// The coarse curve, to some seven digits: a, e, p̄ (of a held half-width: p̄ in place of the parameter as well) and Δ at each of its points.
+    /// The coarse curve, to some seven digits: a, e, p̄ (of a held half-width: p̄ in place of the parasame sums) and Δ at each of its points.
     #[must_use]
     pub fn outline(&self) -> Vec<[f64; 4]> {
         self.curve
@@ -104,7 +104,7 @@ pub(super) fn parameter_of(problem: &BranchProblem, third: f64) -> f64 {
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] if there is no contact where it begins;
 /// [`Refusal::NotConverged`] if no admissible one is found there.
-pub fn trace(material: &Material, problem: &BranchProblem) -> Result<Branch, Refusal> {
+pub fn trace(material: &PlaneMaterial, problem: &BranchProblem) -> Result<Branch, Refusal> {
     let mut work = BranchWork::default();
     let (curve, begins, ends) = coarse(material, problem, false, &mut work)?;
     let (folds, unlocated) = folds(material, problem, &curve, &mut work);
@@ -118,7 +118,11 @@ pub fn trace(material: &Material, problem: &BranchProblem) -> Result<Branch, Ref
 ///
 /// # Errors
 /// Those of [`trace`].
-pub(super) fn as_far_as_snap_in(material: &Material, problem: &BranchProblem, work: &mut BranchWork) -> Result<Option<Branch>, Refusal> {
+pub(super) fn as_far_as_snap_in(
+    material: &PlaneMaterial,
+    problem: &BranchProblem,
+    work: &mut BranchWork,
+) -> Result<Option<Branch>, Refusal> {
     let (curve, begins, ends) = coarse(material, problem, true, work)?;
     let Some(mut folds) = bearing(material, problem, &curve, work) else { return Ok(None) };
     folds.sort_by(|first, second| first.arclength.total_cmp(&second.arclength));
@@ -128,7 +132,7 @@ pub(super) fn as_far_as_snap_in(material: &Material, problem: &BranchProblem, wo
 }
 
 /// Snap-in, pull-off and separation of a coarse curve of loads: the first largest load, the last smallest one before it, the first smallest penetration.
-fn bearing(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Option<Vec<Fold>> {
+fn bearing(material: &PlaneMaterial, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Option<Vec<Fold>> {
     let mut located = |quantity: FoldQuantity, turn: Turn, before: f64, last: bool| -> Option<Fold> {
         let unknown = quantity.unknown();
         let turns = changes(curve, move |point| point.slope(unknown)).filter(|(from, to)| {
@@ -153,7 +157,7 @@ fn bearing(material: &Material, problem: &BranchProblem, curve: &[Coarse], work:
 
 /// The coarse curve from end to end, or forward only to the first point but one past a largest load.
 pub(super) fn coarse(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     to_snap_in: bool,
     work: &mut BranchWork,
@@ -168,9 +172,9 @@ pub(super) fn coarse(
         let (before, turned) = (Cell::new(f64::NAN), Cell::new(false));
         let inside = |point: &Coarse| {
             let slope = point.slope(Quantity::Unknown(2));
-            let past = turned.get();
-            turned.set(past || (before.replace(slope) > 0.0 && slope < 0.0));
-            border(point).is_none() && !(to_snap_in && sign > 0.0 && past)
+            let turned_before = turned.get();
+            turned.set(turned_before || (before.replace(slope) > 0.0 && slope < 0.0));
+            border(point).is_none() && !(to_snap_in && sign > 0.0 && turned_before)
         };
         let Curve { points, end, refused } = follow(&equations, start, toward, sign, &steps, &inside)?;
         work.refused_steps += refused;
@@ -240,7 +244,7 @@ pub(super) fn near(prepared: &Prepared, problem: &SlidingProblem, start: &Start,
 
 type Turns = (Vec<Fold>, Vec<(FoldQuantity, f64, Refusal)>);
 
-fn folds(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Turns {
+fn folds(material: &PlaneMaterial, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Turns {
     let (mut folds, mut unlocated) = (Vec::new(), Vec::new());
     for &quantity in FoldQuantity::of(problem) {
         let unknown = quantity.unknown();
@@ -263,7 +267,7 @@ fn folds(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &
 }
 
 fn zero_load(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem,
     curve: &[Coarse],
     left_out: &mut Vec<(f64, Refusal)>,
@@ -341,7 +345,7 @@ fn refined(equations: &BranchEquations<'_>, problem: &BranchProblem, curve: Vec<
 type Kept = (Vec<BranchPoint>, Vec<(f64, Refusal)>);
 
 /// The points that are kept, evenly spaced.
-fn kept(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Result<Kept, Refusal> {
+fn kept(material: &PlaneMaterial, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Result<Kept, Refusal> {
     let (Some(first), Some(last)) = (curve.first(), curve.last()) else { return Ok((Vec::new(), Vec::new())) };
     let (mut points, mut left_out) = (Vec::new(), Vec::new());
     let fine = BranchEquations::new(material, problem, Resolution::Fine)?;

@@ -1,4 +1,4 @@
-//! Widening the bars of a contact by what is uncertain of the parameters it was solved at.
+//! Widening the bounds of a contact by what is uncertain of the parameters it was solved at.
 
 use crate::estimate::Estimate;
 use crate::sliding::steady::{AdhesiveValues, PartialValues};

@@ -12,7 +12,7 @@ const REST_OF_PI: f64 = 1.224_646_799_147_353_2e-16;
 pub struct ContactEdges {
     /// a, half the contact width, in 1/k.
     pub half_width: f64,
-    /// c = π − a, half the width of the gap; infinite for a parabola.
+    /// c = π − a, half the width of the gap in 1/k; infinite for a parabola.
     pub half_gap: f64,
     /// e, the middle of the contact ahead of the crest, in 1/k.
     pub eccentricity: f64,
@@ -52,11 +52,11 @@ impl ContactEdges {
 
     /// d(half-width)/d(place): sin a, of a parabola a.
     #[must_use]
-    pub fn width_by_place(&self) -> f64 {
+    pub(crate) fn width_by_place(&self) -> f64 {
         if self.half_gap.is_infinite() { self.half_width } else { self.half_gap.min(self.half_width).sin() }
     }
 
-    /// Half the width of the contact or of the gap, whichever is narrower.
+    /// Half the width of the contact or of the gap (1/k), whichever is narrower.
     #[must_use]
     pub const fn narrower(&self) -> f64 {
         self.half_width.min(self.half_gap)

@@ -11,9 +11,9 @@ use std::f64::consts::PI;
 /// A point of an arc by its distances to the two ends, so that neither is lost to rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ArcPoint {
-    /// Distance to the trailing edge.
+    /// Distance to the trailing edge (1/k).
     pub from_trailing: f64,
-    /// Distance to the leading edge.
+    /// Distance to the leading edge (1/k).
     pub from_leading: f64,
 }
 

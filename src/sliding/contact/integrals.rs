@@ -40,8 +40,8 @@ pub(super) fn inside_integrals(arcs: &Arcs, edges: ContactEdges, ratio: f64, res
 
 /// The integrals over the gap with e^{−v/ζ}, v the distance behind the trailing edge.
 ///
-/// The depth D of H₀ vanishes at both edges and has D' = −cos(y/2)/|X|, so that ∫e^{−v/ζ}D = −ζ∫e^{−v/ζ}cos(y/2)/|X|. The second integral is the cheaper one; where the memory
-/// is longer than the gap it would cancel, and the first takes its place.
+/// The depth D of H₀ vanishes at both edges and has D' = −cos(y/2)/|X|, so that ∫e^{−v/ζ}D = −ζ∫e^{−v/ζ}cos(y/2)/|X|. The second integral is the cheaper one; where the
+/// memory is longer than the gap it would cancel, and the first takes its place.
 pub(super) fn outside_integrals(arcs: &Arcs, edges: ContactEdges, ratio: f64, resolution: Resolution) -> OutsideIntegrals {
     let width = 2.0 * edges.half_width;
     let arc = ArcRange { length: 2.0 * edges.half_gap, before: width, behind: width, starts_at_edge: true };

@@ -1,6 +1,6 @@
 //! The material of a sliding contact: the creep side of [`SlidingMemory`] with the relaxation terms that belong to it.
 
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::{Refusal, require_non_negative};
 use crate::sliding::memory::{MemoryTerm, SlidingMemory};
 
@@ -28,7 +28,7 @@ impl ContactMemory {
     ///
     /// # Errors
     /// [`Refusal::Undefined`] for a viscous material; [`Refusal::OutOfRange`] unless the rate is finite and not negative.
-    pub fn new(material: &Material, rate: f64) -> Result<Self, Refusal> {
+    pub fn new(material: &PlaneMaterial, rate: f64) -> Result<Self, Refusal> {
         let rate = require_non_negative("rate", rate)?;
         let relaxed = material.solid_modulus("a steady sliding contact")?;
         // So slow that no digit of any term has a place in a double: at rest.

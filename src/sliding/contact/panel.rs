@@ -1,4 +1,4 @@
-//! One panel of a process zone: a memory u of a field f, marched over it by a discontinuous Galerkin step.
+//! One panel of a process zone: a memory u of a field f, integrated over it by a discontinuous Galerkin step.
 //!
 //! ```text
 //! s du/dx = ±(f − u)        + : u remembers what lies nearer to the edge (x = 0),   − : what lies farther inside
@@ -26,7 +26,7 @@ type Square = SMatrix<f64, NODES, NODES>;
 struct Reference {
     nodes: [f64; NODES],
     weights: [f64; NODES],
-    /// du/dτ with the inflow end weakly imposed, marched forward and backward, and what the value there contributes.
+    /// du/dτ with the inflow end weakly imposed, integrated forward and backward, and what the value there contributes.
     forward: Square,
     backward: Square,
     lifted_start: Values,
@@ -110,14 +110,14 @@ impl Panel {
     }
 }
 
-/// Which way a memory looks, and from where it is marched.
+/// Which way a memory looks, and from where it is integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum March {
-    /// It remembers what lies nearer to the edge: known at the edge, marched away from it.
+pub(super) enum Direction {
+    /// It remembers what lies nearer to the edge: known at the edge, integrated away from it.
     Nearer,
-    /// It remembers what lies farther from the edge: known at the far end of the zone, marched towards the edge.
+    /// It remembers what lies farther from the edge: known at the far end of the zone, integrated towards the edge.
     Farther,
-    /// The same, known at the edge and marched away from it; for layers not thinner than the zone.
+    /// The same, known at the edge and integrated away from it; for layers not thinner than the zone.
     FartherFromEdge,
 }
 
@@ -144,11 +144,11 @@ enum Solver {
 }
 
 impl Step {
-    pub(super) fn new(panel: &Panel, layer: f64, march: March) -> Self {
+    pub(super) fn new(panel: &Panel, layer: f64, direction: Direction) -> Self {
         let reference = &*REFERENCE;
-        let towards_edge = march == March::Farther;
-        // λ with the sign of the direction of the march.
-        let strength = 2.0 * panel.half / layer * if march == March::FartherFromEdge { -1.0 } else { 1.0 };
+        let towards_edge = direction == Direction::Farther;
+        // λ with the sign of the direction of the integration.
+        let strength = 2.0 * panel.half / layer * if direction == Direction::FartherFromEdge { -1.0 } else { 1.0 };
         let extent = panel.extent() / layer;
         let solver = if extent < WEAK {
             Solver::Series { terms: (SERIES_TOLERANCE.ln() / extent.ln()).ceil() as u32, roots: panel.roots }

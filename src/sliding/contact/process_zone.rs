@@ -4,7 +4,7 @@
 //! (1/2δ) ∫₀^δ tension₊(d) gap₋(δ − d) dd          tension₊ of the contact re-solved with that edge moved out by δ,
 //!                                                  gap₋ of the contact as it is; at equilibrium 2πΓ
 //! ```
-//! Both fields are memories of elastic ones. They are marched over the zone from panel to panel, all terms on the same nodes: the panels grow in
+//! Both fields are memories of elastic ones. They are integrated over the zone from panel to panel, all terms on the same nodes: the panels grow in
 //! equal ratios away from both ends, from the thinnest layer of the material, and those of the gap are those of the tension mirrored. Nodes and
 //! steps depend on the material, the speed and δ alone and serve every contact on the way to an equilibrium.
 //!
@@ -30,7 +30,7 @@ use super::arcs::{Arcs, Place};
 use super::fields::ArcPoint;
 use super::indenter::Indenter;
 use super::memory::ContactMemory;
-use super::panel::{March, NODES, Panel, Step, Values};
+use super::panel::{Direction, NODES, Panel, Step, Values};
 use super::resolution::Resolution;
 use super::state::ContactState;
 use super::system::ContactSystem;
@@ -138,10 +138,10 @@ pub struct ProcessZone {
     panels: Vec<Panel>,
     /// Half sines and cosines of the distances, panel by panel.
     angles: Vec<[(f64, f64); NODES]>,
-    inside: Vec<TermMarch>,
-    outside: Arc<Vec<TermMarch>>,
+    inside: Vec<TermIntegration>,
+    outside: Arc<Vec<TermIntegration>>,
     /// Those of the reversed contact, once they are asked for.
-    reversed: OnceLock<Arc<Vec<TermMarch>>>,
+    reversed: OnceLock<Arc<Vec<TermIntegration>>>,
 }
 
 /// The other edge: the one that the mirror image of a contact has there.
@@ -152,38 +152,39 @@ const fn mirrored(edge: Edge) -> Edge {
     }
 }
 
-/// The march of one term.
+/// The integration of one term.
 #[derive(Debug, Clone)]
-struct TermMarch {
+struct TermIntegration {
     layer: f64,
-    march: March,
+    direction: Direction,
     /// One for each panel.
     steps: Vec<Step>,
 }
 
-impl TermMarch {
+impl TermIntegration {
     fn new(panels: &[Panel], length: f64, layer: f64, nearer: bool) -> Self {
-        let march = match (nearer, layer < length) {
-            (true, _) => March::Nearer,
-            (false, true) => March::Farther,
-            (false, false) => March::FartherFromEdge,
+        let direction = match (nearer, layer < length) {
+            (true, _) => Direction::Nearer,
+            (false, true) => Direction::Farther,
+            (false, false) => Direction::FartherFromEdge,
         };
-        Self { layer, march, steps: panels.iter().map(|panel| Step::new(panel, layer, march)).collect() }
+        Self { layer, direction, steps: panels.iter().map(|panel| Step::new(panel, layer, direction)).collect() }
     }
 }
 
-fn outside_marches(memory: &ContactMemory, panels: &[Panel], length: f64, edge: Edge) -> Vec<TermMarch> {
-    memory.creep().iter().map(|mode| TermMarch::new(panels, length, mode.ratio, edge == Edge::Trailing)).collect()
+fn outside_integrations(memory: &ContactMemory, panels: &[Panel], length: f64, edge: Edge) -> Vec<TermIntegration> {
+    memory.creep().iter().map(|mode| TermIntegration::new(panels, length, mode.ratio, edge == Edge::Trailing)).collect()
 }
 
 impl ProcessZone {
-    /// The zone of an edge.
+    /// The zone of an edge, of a length δ (1/k).
     #[must_use]
     pub fn new(memory: &ContactMemory, indenter: Indenter, edge: Edge, length: f64, resolution: Resolution) -> Self {
         let panels = panels(length, memory.thinnest_layer(), resolution.panel_ratio());
         let angles = panels.iter().map(|panel| panel.distances.map(|distance| indenter.half_sine_cosine(distance))).collect();
-        let inside = memory.relaxation.iter().map(|mode| TermMarch::new(&panels, length, mode.ratio, edge == Edge::Leading)).collect();
-        let outside = Arc::new(outside_marches(memory, &panels, length, edge));
+        let inside =
+            memory.relaxation.iter().map(|mode| TermIntegration::new(&panels, length, mode.ratio, edge == Edge::Leading)).collect();
+        let outside = Arc::new(outside_integrations(memory, &panels, length, edge));
         Self { edge, indenter, length, panels, angles, inside, outside, reversed: OnceLock::new() }
     }
 
@@ -199,7 +200,7 @@ impl ProcessZone {
         (trailing, leading)
     }
 
-    /// δ.
+    /// δ (1/k).
     #[must_use]
     pub const fn length(&self) -> f64 {
         self.length
@@ -254,8 +255,8 @@ impl ProcessZone {
     #[must_use]
     pub fn release(&self, reversed: &ContactState, tension: &ZonePressure) -> ZoneWork {
         let edge = mirrored(self.edge);
-        let marches = self.reversed.get_or_init(|| Arc::new(outside_marches(&reversed.memory, &self.panels, self.length, edge)));
-        self.integral(&tension.0, &self.gaps(reversed, marches, &self.outside_fields(&reversed.arcs, edge)))
+        let integrations = self.reversed.get_or_init(|| Arc::new(outside_integrations(&reversed.memory, &self.panels, self.length, edge)));
+        self.integral(&tension.0, &self.gaps(reversed, integrations, &self.outside_fields(&reversed.arcs, edge)))
     }
 
     fn integral(&self, pressures: &[Field], gaps: &[Field]) -> ZoneWork {
@@ -302,14 +303,14 @@ impl ProcessZone {
                 Field { size: value.abs(), value }
             })
             .collect();
-        for (term, (march, mode)) in self.inside.iter().zip(&state.memory.relaxation).enumerate() {
+        for (term, (integration, mode)) in self.inside.iter().zip(&state.memory.relaxation).enumerate() {
             let strengths = state.strengths(Some(term));
             let far = || {
                 let inside = ArcPoint { from_trailing: self.length, from_leading: 2.0 * half_width - self.length };
                 state.remembered_inside(inside, term)
             };
-            self.march(
-                march,
+            self.integrate(
+                integration,
                 far,
                 |panel| elastic.get(panel).map(|fields| combined(strengths, fields)),
                 |panel, memory| {
@@ -339,7 +340,7 @@ impl ProcessZone {
     }
 
     /// The gap at the nodes of the zone outside an edge.
-    fn gaps(&self, state: &ContactState, marches: &[TermMarch], fields: &[[Values; 5]]) -> Vec<Field> {
+    fn gaps(&self, state: &ContactState, integrations: &[TermIntegration], fields: &[[Values; 5]]) -> Vec<Field> {
         let gap_width = 2.0 * state.edges.half_gap;
         let (sin_e, cos_e) = self.indenter.shift(state.edges.eccentricity);
         let elastic = |[wave, slope, depth, ..]: &[Values; 5]| {
@@ -347,33 +348,33 @@ impl ProcessZone {
             Field { size: value.abs(), value }
         };
         let mut gaps: Vec<Field> = fields.iter().map(elastic).collect();
-        for (term, march) in marches.iter().enumerate() {
+        for (term, integration) in integrations.iter().enumerate() {
             let (Some(&load), Some(&(outside_cosine, outside_sine))) = (state.loads.get(term), state.outside.get(term)) else { continue };
             let far = || {
                 let outside = ArcPoint { from_trailing: gap_width - self.length, from_leading: self.length };
                 state.remembered_outside(outside, term)
             };
             let field = |panel: usize| fields.get(panel).map(|[.., even, odd]| odd * outside_cosine + even * outside_sine);
-            self.march(march, far, field, |panel, memory| {
+            self.integrate(integration, far, field, |panel, memory| {
                 if let Some(gap) = gaps.get_mut(panel) {
-                    gap.add(memory, -load * march.layer * 2.0 / PI);
+                    gap.add(memory, -load * integration.layer * 2.0 / PI);
                 }
             });
         }
         gaps
     }
 
-    /// Marches a memory u = Mf over the zone; `far` gives it at the far end, where it is asked for.
-    fn march(
+    /// Integrates a memory u = Mf over the zone; `far` gives it at the far end, where it is asked for.
+    fn integrate(
         &self,
-        term: &TermMarch,
+        term: &TermIntegration,
         far: impl Fn() -> f64,
         field: impl Fn(usize) -> Option<Values>,
         mut use_memory: impl FnMut(usize, &Values),
     ) {
-        let mut value = if term.march == March::Farther { far() } else { 0.0 };
+        let mut value = if term.direction == Direction::Farther { far() } else { 0.0 };
         for step in 0..self.panels.len() {
-            let index = if term.march == March::Farther { self.panels.len() - 1 - step } else { step };
+            let index = if term.direction == Direction::Farther { self.panels.len() - 1 - step } else { step };
             let (Some(panel), Some(factored), Some(field)) = (self.panels.get(index), term.steps.get(index), field(index)) else {
                 continue;
             };

@@ -111,7 +111,7 @@ impl ContactState {
 
     /// The same contact with its fields evaluated at another resolution; the loads stay.
     #[must_use]
-    pub fn evaluated_at(&self, resolution: Resolution) -> Self {
+    pub(crate) fn evaluated_at(&self, resolution: Resolution) -> Self {
         Self { resolution, ..self.clone() }
     }
 
@@ -129,13 +129,13 @@ impl ContactState {
 
     /// β, or 1 at rest: how much stiffer than relaxed the edges are.
     #[must_use]
-    pub fn glassy_stiffness(&self) -> f64 {
+    pub(crate) fn glassy_stiffness(&self) -> f64 {
         self.memory.stiffening_ratio()
     }
 
     /// How much stiffer than relaxed the solid is on the scale of the contact: 1/|Ĉ| of the harmonic 1/a.
     #[must_use]
-    pub fn stiffness_at_contact(&self) -> f64 {
+    pub(crate) fn stiffness_at_contact(&self) -> f64 {
         let (real, imaginary) = self.memory.kernel().harmonic_compliance(1.0 / self.edges.half_width);
         1.0 / real.hypot(imaginary)
     }
@@ -171,7 +171,7 @@ impl ContactState {
         }
     }
 
-    /// The sizes of the terms that friction stress and interface work of a wave are sums of, which rounding is relative to; of a parabola none are told.
+    /// The sizes of the terms that friction stress and interface work of a wave are sums of, which rounding is relative to; of a parabola none are reported.
     pub(in crate::sliding) fn harmonic_sizes(&self) -> (f64, f64) {
         let (sin_e, cos_e) = self.edges.eccentricity.sin_cos();
         let (real, imaginary) = self.totals.harmonic_sizes;

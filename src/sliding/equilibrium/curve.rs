@@ -1,26 +1,27 @@
 //! The contacts along the half-widths, joined to curves.
 //!
-//! At each of a row of half-widths all contacts are known, and how each goes on. Rows are divided until the contacts of neighbours are each other's continuation without a
-//! doubt: what both slopes predict is met much nearer than any other contact, and load and depth turn once at most between them. Where a contact appears or vanishes, rows are
-//! divided to the last: two that vanish together are the two sides of a turn of the half-width, one alone is an end.
+//! At each of a row of half-widths all contacts are known, and how each goes on. Rows are divided until the contacts of neighbours are each other's continuation
+//! without any question: what both slopes predict is met much nearer than any other contact, and load and depth turn once at most between them. Where a contact appears
+//! or
+//! vanishes, rows are divided to the last: two that vanish together are the two sides of a turn of the half-width, one alone is an end.
 
-use super::held::StretchEnd;
+use super::held::SegmentEnd;
 use super::point::{HeldQuantity, Point};
-use super::width::{ContactsOfWidth, apart};
+use super::width::{ContactsOfWidth, distance};
 use crate::sliding::contact::{ContactEdges, Indenter, WaveContact};
 use crate::sliding::edge_balance::EdgeBalance;
 use std::f64::consts::PI;
 
 /// Largest distance of neighbouring places, ln tan(a/2).
 const SPACING: f64 = 0.4;
-/// Where contacts appear or vanish, places are this near: what bends with a root there is told to a thousandth.
+/// Where contacts appear or vanish, places are this near: what bends with a root there is known to a thousandth.
 const FINEST: f64 = 1e-6;
 /// Load and depth are not looked at more closely than this.
 const STRAIGHT: f64 = 5e-3;
 /// Largest distance of an eccentricity from what both slopes predict, of a parabola over its size; and of the two sides of a turn.
 const CONTINUES: f64 = 0.1;
 /// The same over the distance to another contact.
-const APART: f64 = 0.25;
+const OF_THE_DISTANCE: f64 = 0.25;
 /// Rows at most: more only where what exists is lost in rounding.
 const MOST_ROWS: usize = 1500;
 /// The narrowest contact, over the longer process zone.
@@ -88,12 +89,12 @@ impl EquilibriumCurve {
     /// The contact of another half-width near one that is known.
     pub(super) fn beside(&self, place: f64, eccentricity: f64) -> Option<Point> {
         let point = self.every.nearest(place, eccentricity)?;
-        let far = apart(self.every.indenter(), point.eccentricity, eccentricity);
+        let far = distance(self.every.indenter(), point.eccentricity, eccentricity);
         (far < CONTINUES * size(self.every.indenter(), &point)).then_some(point)
     }
 
     /// Whether a contact is the narrowest that was looked at.
-    pub(in crate::sliding) fn is_narrowest(&self, contact: &StretchEnd) -> bool {
+    pub(in crate::sliding) fn is_narrowest(&self, contact: &SegmentEnd) -> bool {
         contact.place <= self.narrowest
     }
 
@@ -156,20 +157,20 @@ impl Row {
     fn nearest_other(&self, indenter: Indenter, index: usize) -> f64 {
         let here = self.points.get(index).map_or(f64::NAN, |point| point.eccentricity);
         let others = self.points.iter().enumerate().filter(|&(other, _)| other != index);
-        others.map(|(_, point)| apart(indenter, point.eccentricity, here)).fold(f64::INFINITY, f64::min)
+        others.map(|(_, point)| distance(indenter, point.eccentricity, here)).fold(f64::INFINITY, f64::min)
     }
 }
 
 /// Pairs of contacts of two half-widths of which the slopes of both predict each other.
 fn joined(indenter: Indenter, from: &Row, to: &Row) -> Vec<(usize, usize)> {
     let half = 0.5 * (to.place - from.place);
-    let off = |one: &Point, other: &Point| apart(indenter, one.eccentricity + half * (one.tilt() + other.tilt()), other.eccentricity);
+    let off = |one: &Point, other: &Point| distance(indenter, one.eccentricity + half * (one.tilt() + other.tilt()), other.eccentricity);
     let mut pairs = Vec::new();
     for (index, one) in from.points.iter().enumerate() {
         for (other_index, other) in to.points.iter().enumerate() {
             let room = from.nearest_other(indenter, index).min(to.nearest_other(indenter, other_index));
-            let change = apart(indenter, one.eccentricity, other.eccentricity);
-            if off(one, other) < (CONTINUES * size(indenter, one)).min(APART * room) && change < (size(indenter, one)).min(room) {
+            let change = distance(indenter, one.eccentricity, other.eccentricity);
+            if off(one, other) < (CONTINUES * size(indenter, one)).min(OF_THE_DISTANCE * room) && change < (size(indenter, one)).min(room) {
                 pairs.push((index, other_index));
             }
         }
@@ -206,7 +207,7 @@ fn chains(indenter: Indenter, rows: Vec<Row>) -> Vec<Vec<Point>> {
             for (order, &first) in open.iter().enumerate() {
                 for &second in open.iter().skip(order + 1) {
                     let (one, other) = (&row.points[first], &row.points[second]);
-                    let near = apart(indenter, one.eccentricity, other.eccentricity) < CONTINUES * size(indenter, one);
+                    let near = distance(indenter, one.eccentricity, other.eccentricity) < CONTINUES * size(indenter, one);
                     let (first, second) = (begins[index] + first, begins[index] + second);
                     if near && links[first].len() < 2 && links[second].len() < 2 && !links[first].contains(&second) {
                         links[first].push(second);

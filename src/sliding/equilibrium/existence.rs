@@ -1,7 +1,7 @@
 //! Which contacts of the curve can exist, and where they end.
 
 use super::curve::EquilibriumCurve;
-use super::held::{Crossing, Stretch, StretchEnd};
+use super::held::{Crossing, SegmentEnd, StableSegment};
 use super::point::{HeldQuantity, Point};
 use super::width::ContactAt;
 use crate::sliding::contact::{ContactEdges, WaveContact};
@@ -84,9 +84,9 @@ impl EquilibriumCurve {
         Some((quantity.of(&last), why?))
     }
 
-    /// Whether any contact of a stretch can exist.
-    pub(in crate::sliding) fn has_possible(&self, stretch: &Stretch) -> bool {
-        stretch.along.iter().rev().any(|&(_, place)| self.possible(place).is_some())
+    /// Whether any contact of a segment can exist.
+    pub(in crate::sliding) fn has_possible(&self, segment: &StableSegment) -> bool {
+        segment.along.iter().rev().any(|&(_, place)| self.possible(place).is_some())
     }
 
     /// Along neighbours on the curve: the last value, seen from the first contact that can exist, before one that cannot; none if the first of all can.
@@ -115,7 +115,7 @@ impl EquilibriumCurve {
     }
 
     /// The last value at the end of a curve, and what forbids the next; none if the curve goes on there.
-    pub(in crate::sliding) fn beyond_the_end(&self, quantity: HeldQuantity, end: &StretchEnd) -> Option<(f64, WhyNot)> {
+    pub(in crate::sliding) fn beyond_the_end(&self, quantity: HeldQuantity, end: &SegmentEnd) -> Option<(f64, WhyNot)> {
         [BEYOND, -BEYOND].into_iter().find_map(|step| {
             let beyond = (end.place + step, end.eccentricity);
             if self.possible(beyond).is_some() { None } else { self.last_possible(quantity, (end.place, end.eccentricity), beyond) }

@@ -6,8 +6,8 @@
 //! uᵀA_iu = work_i/2πΓ_i = 1 = uᵀIu,    I = diag(1, 1, 0), of a parabola diag(1, 0, 0)        i = trailing, leading
 //! ```
 //! Two conics uᵀ(A_i − I)u = 0 in the projective plane meet in four points at most: these are the contacts, and there are no others. The points are seen from one that is
-//! on neither conic, so that no two of them lie in one direction: along each direction both conics are quadratics, which have a root in common where their resultant, a quartic of the
-//! direction, vanishes. Without adhesion both edge amplitudes, linear in u, vanish.
+//! on neither conic, so that no two of them lie in one direction: along each direction both conics are quadratics, which have a root in common where their resultant, a
+//! quartic of the direction, vanishes. Without adhesion both edge amplitudes, linear in u, vanish.
 
 use super::works::{Square, Works};
 use crate::continuation::two_unknowns::{largest, solve_two_by_two};
@@ -199,10 +199,10 @@ impl Conditions {
         let scales: [f64; 3] =
             std::array::from_fn(|index| works.forms.iter().map(|form| (part(form, 0) / part(form, index)).powf(0.25)).product());
         let [first, second] = works.forms.each_ref().map(|form| conic(&std::array::from_fn(|index| form[index] - unit[index]), scales));
-        // Across a narrow gap both edges pull almost alike: what tells them apart has its own size.
-        let apart = normalized(&combined(&second, &first, -1.0));
+        // Across a narrow gap both edges pull almost alike: what distinguishes them has its own size.
+        let difference = normalized(&combined(&second, &first, -1.0));
         let mut roots = Vec::new();
-        for point in meeting(&normalized(&combined(&first, &second, 1.0)), &apart) {
+        for point in meeting(&normalized(&combined(&first, &second, 1.0)), &difference) {
             let seen: Line = std::array::from_fn(|index| scales[index] * (0..3).map(|row| FRAME[row][index] * point[row]).sum::<f64>());
             let [c, s, p]: Line = std::array::from_fn(|part| seen.iter().zip(&columns).map(|(size, column)| size * column[part]).sum());
             match self.indenter {

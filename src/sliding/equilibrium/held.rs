@@ -32,7 +32,7 @@ pub(in crate::sliding) struct Crossing {
     pub(in crate::sliding) between: [f64; 2],
 }
 
-/// How a stretch of stable contacts ends.
+/// How a segment of stable contacts ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::sliding) enum End {
     /// What is held turns: a fold.
@@ -43,9 +43,9 @@ pub(in crate::sliding) enum End {
     Last,
 }
 
-/// A contact where a stretch ends.
+/// A contact where a segment ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::sliding) struct StretchEnd {
+pub(in crate::sliding) struct SegmentEnd {
     pub(in crate::sliding) end: End,
     /// What is held there.
     pub(in crate::sliding) value: f64,
@@ -57,11 +57,11 @@ pub(in crate::sliding) struct StretchEnd {
 
 /// Stable contacts next to each other on the curve.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::sliding) struct Stretch {
+pub(in crate::sliding) struct StableSegment {
     /// The smallest value of what is held.
-    pub(in crate::sliding) lowest: StretchEnd,
+    pub(in crate::sliding) lowest: SegmentEnd,
     /// The largest.
-    pub(in crate::sliding) highest: StretchEnd,
+    pub(in crate::sliding) highest: SegmentEnd,
     /// What is held, and the place, of all contacts from the lowest to the highest.
     pub(in crate::sliding) along: Vec<(f64, Place)>,
 }
@@ -87,7 +87,7 @@ impl EquilibriumCurve {
     }
 
     /// The largest value of any contact about the crest, stable or not; none without contacts.
-    pub(in crate::sliding) fn largest(&self, quantity: HeldQuantity) -> Option<StretchEnd> {
+    pub(in crate::sliding) fn largest(&self, quantity: HeldQuantity) -> Option<SegmentEnd> {
         let chains = self.chains.iter().flat_map(|chain| self.with_turns(quantity, chain, |_, _| true));
         // A contact on the other side of the trough says nothing of one on the crest.
         let about_the_crest = chains.filter(|point| point.eccentricity.abs() < FRAC_PI_2);
@@ -95,11 +95,11 @@ impl EquilibriumCurve {
         largest.map(|point| end_at(quantity, &point, End::Last))
     }
 
-    /// The stretches of stable contacts, narrow ones first.
-    pub(in crate::sliding) fn stable_stretches(&self, quantity: HeldQuantity) -> Vec<Stretch> {
+    /// The segments of stable contacts, narrow ones first.
+    pub(in crate::sliding) fn stable_segments(&self, quantity: HeldQuantity) -> Vec<StableSegment> {
         let mut found = Vec::new();
         for chain in &self.chains {
-            self.stretches(quantity, &self.with_borders(quantity, self.with_turns(quantity, chain, |_, _| true)), &mut found);
+            self.segments(quantity, &self.with_borders(quantity, self.with_turns(quantity, chain, |_, _| true)), &mut found);
         }
         found.sort_by(|first, second| first.lowest.half_width.total_cmp(&second.lowest.half_width));
         found
@@ -117,8 +117,8 @@ impl EquilibriumCurve {
     fn with_borders(&self, quantity: HeldQuantity, chain: Vec<Point>) -> Vec<Point> {
         let indenter = self.every.indenter();
         self.with_more(&chain, |from, to| {
-            let told = [from, to].iter().all(|point| point.margin(indenter, quantity).abs() > NO_MARGIN);
-            if told { self.divided(from, to, TURN_PLACE, |point| point.margin(indenter, quantity)) } else { None }
+            let resolved = [from, to].iter().all(|point| point.margin(indenter, quantity).abs() > NO_MARGIN);
+            if resolved { self.divided(from, to, TURN_PLACE, |point| point.margin(indenter, quantity)) } else { None }
         })
     }
 
@@ -223,16 +223,16 @@ impl EquilibriumCurve {
         if one.abs() > other.abs() { one } else { other }
     }
 
-    /// The stable stretches of a chain.
-    fn stretches(&self, quantity: HeldQuantity, chain: &[Point], found: &mut Vec<Stretch>) {
+    /// The stable segments of a chain.
+    fn segments(&self, quantity: HeldQuantity, chain: &[Point], found: &mut Vec<StableSegment>) {
         let stable: Vec<bool> = chain
             .windows(2)
             .map(|pair| match pair {
                 [from, to] => {
                     let margin = self.clearer_margin(quantity, from, to);
-                    // Between two turns it is told by what lies between.
-                    let told = if margin.abs() > NO_MARGIN { None } else { self.part_way(from, to, 0.5) };
-                    told.map_or(margin, |middle| middle.margin(self.every.indenter(), quantity)) > 0.0
+                    // Between two turns it is shown by what lies between.
+                    let resolved = if margin.abs() > NO_MARGIN { None } else { self.part_way(from, to, 0.5) };
+                    resolved.map_or(margin, |middle| middle.margin(self.every.indenter(), quantity)) > 0.0
                 }
                 _ => false,
             })
@@ -264,7 +264,7 @@ impl EquilibriumCurve {
             if first.value > last.value {
                 along.reverse();
             }
-            found.push(Stretch { lowest, highest, along });
+            found.push(StableSegment { lowest, highest, along });
             begin = end;
         }
     }
@@ -277,8 +277,8 @@ fn may_reach(quantity: HeldQuantity, value: f64, from: &Point, to: &Point) -> bo
     !(value < one.min(other) - reach || value > one.max(other) + reach)
 }
 
-fn end_at(quantity: HeldQuantity, point: &Point, end: End) -> StretchEnd {
-    StretchEnd {
+fn end_at(quantity: HeldQuantity, point: &Point, end: End) -> SegmentEnd {
+    SegmentEnd {
         end,
         value: quantity.of(point),
         place: point.place,

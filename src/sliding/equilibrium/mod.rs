@@ -25,7 +25,7 @@ mod works;
 
 pub(in crate::sliding) use curve::{EquilibriumCurve, half_widths};
 pub(in crate::sliding) use existence::{Place, WhyNot};
-pub(in crate::sliding) use held::{Crossing, End, Stretch, StretchEnd};
+pub(in crate::sliding) use held::{Crossing, End, SegmentEnd, StableSegment};
 pub(in crate::sliding) use point::HeldQuantity;
 pub use width::ContactAt;
 pub(in crate::sliding) use width::ContactsOfWidth;

@@ -1,7 +1,7 @@
 //! Both edge conditions at every half-width of a range, from those at a few.
 //!
-//! Along x = ln tan(a/2) lines and forms, divided by what they are of an elastic contact ([`super::works`]), are smooth: their Chebyshev series on panels of x end after a few
-//! terms, and what the series leave out stays small beside a work.
+//! Along x = ln tan(a/2) lines and forms, divided by what they are of an elastic contact ([`super::works`]), are smooth: their Chebyshev series on panels of x end
+//! after a few terms, and what the series leave out stays small beside a work.
 
 use super::forms::{Conditions, Form, Line};
 use super::works::{Works, even_and_odd, scales, third};
@@ -16,8 +16,8 @@ const LONGEST: f64 = 6.0;
 const SHORTEST: f64 = 0.2;
 /// A panel that is left out if any of its half-widths is refused.
 const NARROWEST: f64 = 1e-3;
-/// Half-widths after which no panel is divided any more: ten times those of twelve terms over seven decades. Hundreds of decades, which no scene of this world has, are then
-/// known less well.
+/// Half-widths after which no panel is divided any more: ten times those of twelve terms over seven decades. Hundreds of decades, which no scene of this world has, are
+/// then known less well.
 const MOST_NODES: usize = 4000;
 /// Largest coefficient of the last terms, over the first ones.
 const TOLERANCE: f64 = 1e-6;
@@ -101,7 +101,7 @@ impl Table {
                 Some(series) => table.panels.push(Panel { middle, half, series }),
                 // Nothing is known of a half-width that is refused: the zone may be wider than the room there.
                 None if refused && (half < NARROWEST || nodes > MOST_NODES) => {}
-                // Nor of a stretch at whose ends and middle there is none.
+                // Nor of a segment at whose ends and middle there is none.
                 None if refused && half < SHORTEST && [low, middle, high].into_iter().all(|place| at(place, &mut table).is_none()) => {}
                 None => open.extend([[middle, high], [low, middle]]),
             }
@@ -109,8 +109,8 @@ impl Table {
         table
     }
 
-    /// The last terms of a series, over the first ones: every line beside itself, every entry of a form beside the works that its squares do. A part of it over what they are at
-    /// the node where that is least: along a long panel a solid goes from glassy to relaxed.
+    /// The last terms of a series, over the first ones: every line beside itself, every entry of a form beside the works that its squares do. A part of it over what
+    /// they are at the node where that is least: along a long panel a solid goes from glassy to relaxed.
     fn left_out(&self, series: &[Vec<f64>], values: &[Vec<f64>], place: f64) -> f64 {
         let Some((last, before)) = series.last().zip(series.len().checked_sub(2).and_then(|index| series.get(index))) else {
             return f64::INFINITY;

@@ -106,7 +106,7 @@ impl ContactsOfWidth {
             let balance = self.balance.under(SlidingControl::HalfWidth(edges.half_width));
             let near = balance.solve([mean_pressure, eccentricity], None, ROOT);
             self.widths.set(self.widths.get() + balance.take_evaluations().div_ceil(2));
-            let Some(near) = near.ok().filter(|near| apart(self.indenter, near.unknowns[1], point.eccentricity) < ROUGH) else {
+            let Some(near) = near.ok().filter(|near| distance(self.indenter, near.unknowns[1], point.eccentricity) < ROUGH) else {
                 return Ok(None);
             };
             [mean_pressure, eccentricity] = near.unknowns;
@@ -166,7 +166,7 @@ impl ContactsOfWidth {
     /// What forbids the contact near an eccentricity; none if the conditions have no root there, or nothing does.
     pub(super) fn why_not(&self, place: f64, eccentricity: f64) -> Option<WhyNot> {
         let conditions = self.conditions_at(place)?;
-        let far = |root: &(f64, f64)| apart(self.indenter, root.0, eccentricity);
+        let far = |root: &(f64, f64)| distance(self.indenter, root.0, eccentricity);
         let root = conditions.roots().into_iter().min_by(|first, second| far(first).total_cmp(&far(second)))?;
         let direction = direction(self.indenter, root.0);
         // Trailing and leading edge in turn.
@@ -238,7 +238,7 @@ impl ContactsOfWidth {
 
     /// The contact of a half-width that continues one of another.
     pub(super) fn nearest(&self, place: f64, eccentricity: f64) -> Option<Point> {
-        let far = |point: &Point| apart(self.indenter, point.eccentricity, eccentricity);
+        let far = |point: &Point| distance(self.indenter, point.eccentricity, eccentricity);
         self.points(place).into_iter().min_by(|first, second| far(first).total_cmp(&far(second)))
     }
 }
@@ -253,6 +253,6 @@ pub(super) fn change(indenter: Indenter, from: f64, to: f64) -> f64 {
 }
 
 /// The distance of two eccentricities.
-pub(super) fn apart(indenter: Indenter, first: f64, second: f64) -> f64 {
+pub(super) fn distance(indenter: Indenter, first: f64, second: f64) -> f64 {
     change(indenter, first, second).abs()
 }

@@ -93,7 +93,7 @@ pub(super) fn even_and_odd(indenter: Indenter, place: f64, trailing: &Line, lead
     [1.0, -1.0].map(|sign| std::array::from_fn(|column| (trailing[column] + sign * leading[column]) / (scales[column] * cosine)))
 }
 
-/// The line that is seen beside both amplitudes: the profile alone, so that it is told from a pull that is far larger.
+/// The line that is seen beside both amplitudes: the profile alone, so that it is distinguished from a pull that is far larger.
 pub(super) fn third(sum: &Line, difference: &Line) -> Line {
     let [first, second, _] = crossed(sum, difference);
     [first, second, 0.0]

@@ -1,7 +1,7 @@
 //! How the two edge conditions, the penetration and the friction of a contact follow its unknowns and the parameters, by central differences of fourth order.
 
 use crate::continuation::two_unknowns::TwoResiduals;
-use crate::material::{CreepTerm, Material};
+use crate::material::{CreepTerm, PlaneMaterial};
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactMemory, Indenter, Prescribed, Resolution, WaveContact};
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
@@ -19,7 +19,7 @@ const WEIGHTS: [(f64, f64); 4] = [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 
 /// A contact of a steady problem with its surroundings: what is differentiated at.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place<'a> {
-    pub(super) material: &'a Material,
+    pub(super) material: &'a PlaneMaterial,
     pub(super) rate: f64,
     pub(super) indenter: Indenter,
     pub(super) adhesion: WaveAdhesion,
@@ -62,7 +62,7 @@ impl Place<'_> {
             let [trailing, leading] = found.residual();
             Ok([trailing, leading, found.state.penetration(), found.state.friction_stress()])
         };
-        let memory = |material: &Material, rate: f64| ContactMemory::new(material, rate).map(Arc::new);
+        let memory = |material: &PlaneMaterial, rate: f64| ContactMemory::new(material, rate).map(Arc::new);
         let balance = self.balance(memory(self.material, self.rate)?, 0.0, resolution);
         let here = balance.evaluate_at(WaveContact { half_width, eccentricity }, Prescribed::MeanPressure(pressure))?;
         let length = half_width.min(self.indenter.widest() - half_width);
@@ -125,12 +125,12 @@ fn differences(step: f64, at: impl Fn(f64) -> Result<[f64; QUANTITIES], Refusal>
 }
 
 /// The solid with β multiplied: E0 and all retardation times held, the creep compliances all in one ratio.
-pub(super) fn stiffened(material: &Material, factor: f64) -> Result<Material, Refusal> {
+pub(super) fn stiffened(material: &PlaneMaterial, factor: f64) -> Result<PlaneMaterial, Refusal> {
     let relaxed = material.solid_modulus("a stiffening ratio")?;
     let glassy = relaxed * material.stiffening_ratio() * factor;
     let gained: f64 = material.creep_terms().iter().map(|term| term.compliance).sum();
     let share = (glassy - relaxed) / glassy / relaxed / gained;
     let terms: Vec<CreepTerm> =
         material.creep_terms().iter().map(|term| CreepTerm { compliance: share * term.compliance, ..*term }).collect();
-    Material::from_creep(glassy, &terms, None)
+    PlaneMaterial::from_creep(glassy, &terms, None)
 }

@@ -1,4 +1,4 @@
-//! How much a sliding contact, or what it bears, depends on numbers that users know badly: ∂ln(output)/∂ln(parameter).
+//! How much a sliding contact, or what it carries, depends on numbers that users know badly: ∂ln(output)/∂ln(parameter).
 //!
 //! | parameter | what varies | what is held |
 //! |---|---|---|
@@ -15,7 +15,7 @@
 //! turn of Q   dQ/dθ = Q_θ − λ·r_θ             r_uᵀ λ = Q_u, which has a solution where Q turns along the branch
 //! toughness   dT/dθ = 2π[∫(p̄_θ Δ_a − Δ_θ p̄_a) da + p̄ Δ_θ at Δ_out]       at fixed a; p̄ = 0 at the other end
 //! ```
-//! Only the partial derivatives are differences, of fourth order, at two resolutions and steps; what these differ by, with rounding, is the error bar.
+//! Only the partial derivatives are differences, of fourth order, at two resolutions and steps; what these differ by, with rounding, is the error bound.
 
 mod linearized;
 mod state;
@@ -46,10 +46,10 @@ impl Parameter {
     pub const ALL: [Self; 5] = [Self::ProcessZone, Self::WorkOfAdhesion, Self::RelaxedModulus, Self::StiffeningRatio, Self::Time];
 }
 
-/// ∂ln|Y|/∂ln θ for each of [`Parameter::ALL`]; none where Y vanishes within its bar, or where there is nothing to vary (β of an elastic solid).
+/// ∂ln|Y|/∂ln θ for each of [`Parameter::ALL`]; none where Y vanishes within its bound, or where there is nothing to vary (β of an elastic solid).
 pub type Sensitivity = [Option<Estimate>; 5];
 
-/// The logarithmic derivative from dY/dln θ and its bar.
+/// The logarithmic derivative from dY/dln θ and its bound.
 fn logarithmic(derivative: Estimate, value: Estimate) -> Option<Estimate> {
     if value.value.abs() <= value.error || value.value == 0.0 {
         return None;

@@ -4,7 +4,7 @@ use super::linearized::{EVALUATIONS, Linearized, Place};
 use super::{Parameter, Sensitivity, compared, logarithmic};
 use crate::continuation::fold::CENTRAL_STEP;
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::Resolution;
 use crate::sliding::edge_balance::SlidingControl;
@@ -31,7 +31,7 @@ pub struct StateSensitivities {
 /// # Errors
 /// [`Refusal::Undefined`] without adhesion; [`Refusal::NotConverged`] at a fold, where they are infinite; those of contacts nearby.
 pub fn state_sensitivities(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     values: &PartialValues,
 ) -> Result<StateSensitivities, Refusal> {

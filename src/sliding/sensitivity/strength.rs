@@ -1,10 +1,10 @@
-//! The sensitivities of what a contact bears: pull-off, snap-in, separation and toughness.
+//! The sensitivities of what a contact carries: pull-off, snap-in, separation and toughness.
 
 use super::linearized::{EVALUATIONS, Linearized, Place, QUANTITIES};
 use super::{Parameter, Sensitivity, compared, logarithmic};
 use crate::continuation::fold::CENTRAL_STEP;
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::branch::{BranchProblem, Fold, FoldQuantity, Strength, Toughness};
 use crate::sliding::contact::Resolution;
@@ -34,7 +34,7 @@ pub struct StrengthSensitivities {
 /// # Errors
 /// Those of contacts near the limits.
 pub fn strength_sensitivities(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem<'_>,
     strength: &Strength,
 ) -> Result<StrengthSensitivities, Refusal> {
@@ -55,7 +55,7 @@ pub fn strength_sensitivities(
 /// d/dln θ for each parameter.
 type Derivatives = [Option<Estimate>; 5];
 
-fn place<'a>(material: &'a Material, problem: &BranchProblem<'_>, values: &PartialValues) -> Place<'a> {
+fn place<'a>(material: &'a PlaneMaterial, problem: &BranchProblem<'_>, values: &PartialValues) -> Place<'a> {
     let unknowns = [values.half_width.value, values.eccentricity.value, values.mean_pressure.value];
     Place { material, rate: problem.rate, indenter: problem.indenter, adhesion: problem.adhesion, unknowns }
 }
@@ -71,7 +71,7 @@ fn by(linear: &Linearized, parameter: Parameter) -> Option<[f64; QUANTITIES]> {
     })
 }
 
-fn of_fold(material: &Material, problem: &BranchProblem<'_>, fold: &Fold) -> Result<Derivatives, Refusal> {
+fn of_fold(material: &PlaneMaterial, problem: &BranchProblem<'_>, fold: &Fold) -> Result<Derivatives, Refusal> {
     let place = place(material, problem, &fold.contact);
     let watched = fold.quantity == FoldQuantity::Penetration;
     let at = |resolution, step| -> Result<Derivatives, Refusal> {
@@ -104,7 +104,7 @@ fn of_fold(material: &Material, problem: &BranchProblem<'_>, fold: &Fold) -> Res
 }
 
 fn of_toughness(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &BranchProblem<'_>,
     toughness: &Toughness,
     evaluations: &mut u64,

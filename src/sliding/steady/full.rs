@@ -3,12 +3,12 @@
 use super::problem::SlidingProblem;
 use super::solution::{FullContact, SlidingOutcome, SlidingWork};
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::edge_balance::SlidingControl;
 
 pub(super) fn full_contact(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     limit_name: &'static str,
     limit: f64,
@@ -37,7 +37,7 @@ pub(super) fn full_contact(
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`] for a negative rate; [`Refusal::Undefined`] for a viscous material.
-pub fn full_contact_friction(material: &Material, rate: f64) -> Result<Estimate, Refusal> {
+pub fn full_contact_friction(material: &PlaneMaterial, rate: f64) -> Result<Estimate, Refusal> {
     let relaxed = material.solid_modulus("the friction of a full contact in units of E0")?;
     if rate == 0.0 {
         return Ok(Estimate::exact(0.0));

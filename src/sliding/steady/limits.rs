@@ -7,8 +7,8 @@
 //! | half-width | the narrowest, the widest contact | refused; that half-width |
 //! | anything | the longest process zone | refused; that zone over the one asked for |
 //!
-//! A limit where the curve turns is solved as a fold of the branch of loads. One where an edge would be pressed or the faces would meet is closed in on between a contact that
-//! can exist and one that cannot.
+//! A limit where the curve turns is solved as a fold of the branch of loads. One where an edge would be pressed or the faces would meet is closed in on between a
+//! contact that can exist and one that cannot.
 
 use super::full::full_contact;
 use super::prepared::Prepared;
@@ -16,12 +16,12 @@ use super::problem::SlidingProblem;
 use super::solution::{SlidingOutcome, SlidingWork};
 use super::solve::ReachedBy;
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::branch::{BranchEnd, BranchPath, BranchProblem, FoldQuantity, Impossible, Turn, trace, turn_near};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::SlidingControl;
-use crate::sliding::equilibrium::{Crossing, End, EquilibriumCurve, HeldQuantity, Place, Stretch, StretchEnd, WhyNot};
+use crate::sliding::equilibrium::{Crossing, End, EquilibriumCurve, HeldQuantity, Place, SegmentEnd, StableSegment, WhyNot};
 
 /// Folds are located this well, or to the accuracy of the problem if that is less.
 const FOLD_ACCURACY: f64 = 1e-9;
@@ -71,7 +71,7 @@ struct Limit {
 
 /// What there is instead of a stable contact of a load or penetration; none if that is not known.
 pub(super) fn beyond(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     curve: &EquilibriumCurve,
     (quantity, value): (HeldQuantity, f64),
@@ -79,7 +79,7 @@ pub(super) fn beyond(
     work: SlidingWork,
 ) -> Option<Result<SlidingOutcome, Refusal>> {
     let names = if quantity == HeldQuantity::MeanPressure { LOADS } else { DEPTHS };
-    let known = curve.stable_stretches(quantity);
+    let known = curve.stable_segments(quantity);
     let wave = problem.indenter == Indenter::Wave;
     let full = |limit: &Limit| full_contact(material, problem, limit.name, limit.value.value, work);
     let pulls = |limit: &Limit| {
@@ -91,16 +91,17 @@ pub(super) fn beyond(
         };
         Err(Refusal::NoSuchState { reason, limit_name: limit.name, limit: limit.value.value })
     };
-    // A stable contact that cannot exist: the edge of those that can, on its own stretch.
+    // A stable contact that cannot exist: the edge of those that can, on its own segment.
     for crossing in refused {
-        let Some(stretch) = known.iter().find(|stretch| stretch.lowest.value <= value && value <= stretch.highest.value) else {
+        let Some(segment) = known.iter().find(|segment| segment.lowest.value <= value && value <= segment.highest.value) else {
             continue;
         };
         let here = (crossing.place, crossing.eccentricity);
         let of = |&(_, place): &(f64, Place)| place;
-        let above = stretch.along.iter().filter(|(other, _)| *other > value).map(of);
-        let below = stretch.along.iter().rev().filter(|(other, _)| *other < value).map(of);
-        let limit = |(limit, why): (f64, WhyNot), name| Limit { name, value: Estimate::new(told(quantity, limit), 1e-9), why: Some(why) };
+        let above = segment.along.iter().filter(|(other, _)| *other > value).map(of);
+        let below = segment.along.iter().rev().filter(|(other, _)| *other < value).map(of);
+        let limit =
+            |(limit, why): (f64, WhyNot), name| Limit { name, value: Estimate::new(as_named(quantity, limit), 1e-9), why: Some(why) };
         let found = curve.end_of_possible(quantity, std::iter::once(here).chain(above)).map(|found| limit(found, names.smallest_possible));
         let found = found.or_else(|| {
             curve.end_of_possible(quantity, std::iter::once(here).chain(below)).map(|found| limit(found, names.largest_possible))
@@ -109,15 +110,15 @@ pub(super) fn beyond(
             return Some(pulls(&limit));
         }
     }
-    let limit_of = |end: &StretchEnd, stretch: Option<&Stretch>, upper: bool| -> Limit {
+    let limit_of = |end: &SegmentEnd, segment: Option<&StableSegment>, upper: bool| -> Limit {
         let (turn_name, last_name) = if upper { (names.highest, names.largest_possible) } else { (names.lowest, names.smallest_possible) };
-        let rough = Limit { name: turn_name, value: Estimate::new(told(quantity, end.value), 1e-6), why: None };
+        let rough = Limit { name: turn_name, value: Estimate::new(as_named(quantity, end.value), 1e-6), why: None };
         // The faces may meet before the end.
-        let places = stretch.map(|stretch| stretch.along.iter().map(|&(_, place)| place));
+        let places = segment.map(|segment| segment.along.iter().map(|&(_, place)| place));
         let found = places
             .and_then(|places| if upper { curve.end_of_possible(quantity, places.rev()) } else { curve.end_of_possible(quantity, places) });
         if let Some((limit, why)) = found {
-            return Limit { name: last_name, value: Estimate::new(told(quantity, limit), 1e-9), why: Some(why) };
+            return Limit { name: last_name, value: Estimate::new(as_named(quantity, limit), 1e-9), why: Some(why) };
         }
         match end.end {
             End::Turn => {
@@ -136,14 +137,14 @@ pub(super) fn beyond(
             }
             End::Stability => rough,
             End::Last => match curve.beyond_the_end(quantity, end) {
-                Some((limit, why)) => Limit { name: last_name, value: Estimate::new(told(quantity, limit), 1e-9), why: Some(why) },
+                Some((limit, why)) => Limit { name: last_name, value: Estimate::new(as_named(quantity, limit), 1e-9), why: Some(why) },
                 None => Limit { name: last_name, ..rough },
             },
         }
     };
-    let stretches: Vec<&Stretch> = known.iter().filter(|stretch| curve.has_possible(stretch)).collect();
-    let highest = stretches.iter().max_by(|first, second| first.highest.value.total_cmp(&second.highest.value));
-    let lowest = stretches.iter().min_by(|first, second| first.lowest.value.total_cmp(&second.lowest.value));
+    let segments: Vec<&StableSegment> = known.iter().filter(|segment| curve.has_possible(segment)).collect();
+    let highest = segments.iter().max_by(|first, second| first.highest.value.total_cmp(&second.highest.value));
+    let lowest = segments.iter().min_by(|first, second| first.lowest.value.total_cmp(&second.lowest.value));
     let (Some(highest), Some(lowest)) = (highest, lowest) else {
         // Nothing is stable: a wave that touches closes by itself.
         let largest = curve.largest(quantity).filter(|_| wave)?;
@@ -163,15 +164,15 @@ pub(super) fn beyond(
     if value <= lowest.lowest.value {
         return Some(pulls(&limit_of(&lowest.lowest, Some(lowest), false)));
     }
-    // Between two stretches: what is raised past the lower one, or lowered past the upper one, finds no stable contact.
+    // Between two segments: what is raised past the lower one, or lowered past the upper one, finds no stable contact.
     let limit = match reached_by {
         ReachedBy::Loading => {
-            let below = stretches.iter().filter(|stretch| stretch.highest.value <= value);
+            let below = segments.iter().filter(|segment| segment.highest.value <= value);
             let below = below.max_by(|first, second| first.highest.value.total_cmp(&second.highest.value))?;
             limit_of(&below.highest, Some(below), true)
         }
         ReachedBy::Unloading => {
-            let above = stretches.iter().filter(|stretch| stretch.lowest.value >= value);
+            let above = segments.iter().filter(|segment| segment.lowest.value >= value);
             let above = above.min_by(|first, second| first.lowest.value.total_cmp(&second.lowest.value))?;
             limit_of(&above.lowest, Some(above), false)
         }
@@ -181,7 +182,7 @@ pub(super) fn beyond(
 }
 
 /// A held value as it is named: Δ for Δ − 1.
-fn told(quantity: HeldQuantity, value: f64) -> f64 {
+fn as_named(quantity: HeldQuantity, value: f64) -> f64 {
     if quantity == HeldQuantity::Penetration { 1.0 + value } else { value }
 }
 
@@ -196,7 +197,7 @@ pub(super) fn beyond_a_width(curve: &EquilibriumCurve, half_width: f64) -> Optio
 }
 
 /// The longest process zones with which there is a contact, if those asked for are longer.
-pub(super) fn beyond_a_zone(material: &Material, problem: &SlidingProblem<'_>, size: f64) -> Option<Refusal> {
+pub(super) fn beyond_a_zone(material: &PlaneMaterial, problem: &SlidingProblem<'_>, size: f64) -> Option<Refusal> {
     let adhesion = problem.adhesion?;
     let zone = adhesion.trailing_zone.max(adhesion.leading_zone);
     let half_widths = match problem.indenter {
@@ -231,7 +232,7 @@ pub(super) fn beyond_a_zone(material: &Material, problem: &SlidingProblem<'_>, s
 }
 
 /// The load at which a wave without adhesion is in full contact: that of full contact whose pressure vanishes somewhere, |E*(ω)| at ω = kv.
-pub(super) fn closing_pressure(material: &Material, prepared: &Prepared) -> Result<f64, Refusal> {
+pub(super) fn closing_pressure(material: &PlaneMaterial, prepared: &Prepared) -> Result<f64, Refusal> {
     if prepared.is_elastic() {
         return Ok(1.0);
     }

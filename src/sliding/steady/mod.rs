@@ -1,9 +1,9 @@
 //! A steady sliding contact from a problem to numbers with errors.
 
 mod accuracy;
-mod faint;
 mod full;
 mod limits;
+mod negligible;
 mod nothing;
 mod prepared;
 mod problem;

@@ -6,7 +6,7 @@ use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{SlidingOutcome, SlidingWork};
 use super::solve::ReachedBy;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::SlidingControl;
@@ -24,7 +24,7 @@ impl Nothing {
     /// Full contact, or the limit that was passed.
     pub(super) fn explained(
         self,
-        material: &Material,
+        material: &PlaneMaterial,
         problem: &SlidingProblem<'_>,
         prepared: &Prepared,
         work: &mut SlidingWork,

@@ -1,6 +1,6 @@
 //! The edge conditions of one speed and adhesion at every level of resolution, and its equilibrium curve, prepared once for many contacts.
 
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactMemory, Indenter, Resolution};
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
@@ -14,7 +14,7 @@ const CURVE: Resolution = Resolution::Medium;
 
 thread_local! {
     /// The material of the last contact, and what was prepared for it.
-    static LAST: RefCell<Option<(Material, Rc<Prepared>)>> = const { RefCell::new(None) };
+    static LAST: RefCell<Option<(PlaneMaterial, Rc<Prepared>)>> = const { RefCell::new(None) };
 }
 
 /// Prepared conditions.
@@ -35,7 +35,7 @@ impl Prepared {
     /// # Errors
     /// Those of the material at that rate.
     pub(in crate::sliding) fn new(
-        material: &Material,
+        material: &PlaneMaterial,
         rate: f64,
         indenter: Indenter,
         adhesion: Option<WaveAdhesion>,
@@ -48,7 +48,12 @@ impl Prepared {
     ///
     /// # Errors
     /// As [`Prepared::new`].
-    pub(super) fn shared(material: &Material, rate: f64, indenter: Indenter, adhesion: Option<WaveAdhesion>) -> Result<Rc<Self>, Refusal> {
+    pub(super) fn shared(
+        material: &PlaneMaterial,
+        rate: f64,
+        indenter: Indenter,
+        adhesion: Option<WaveAdhesion>,
+    ) -> Result<Rc<Self>, Refusal> {
         LAST.with_borrow_mut(|last| {
             if let Some((of, prepared)) = last
                 && of == material

@@ -24,6 +24,12 @@ pub struct SlidingProblem<'a> {
 }
 
 impl SlidingProblem<'_> {
+    /// A wave with works of adhesion that do not follow the speed: kv (1/s), adhesion, what is prescribed, accuracy. Other problems by struct update of it.
+    #[must_use]
+    pub const fn wave(rate: f64, adhesion: Option<WaveAdhesion>, control: SlidingControl, accuracy: f64) -> Self {
+        Self { rate, indenter: Indenter::Wave, adhesion, work_by_speed: None, control, accuracy }
+    }
+
     /// Checks every number.
     ///
     /// # Errors

@@ -63,25 +63,25 @@ impl ContactStability {
 /// The numbers of a contact with two edges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PartialValues {
-    /// a: half the contact width.
+    /// a: half the contact width (1/k).
     pub half_width: Estimate,
-    /// e: the middle of the contact ahead of the crest.
+    /// e: the middle of the contact ahead of the crest (1/k).
     pub eccentricity: Estimate,
-    /// x of the trailing edge, −l₁ = e − a.
+    /// x of the trailing edge, −l₁ = e − a (1/k).
     pub trailing_edge: Estimate,
-    /// x of the leading edge, l₂ = e + a.
+    /// x of the leading edge, l₂ = e + a (1/k).
     pub leading_edge: Estimate,
-    /// Δ.
+    /// Δ (Λ).
     pub penetration: Estimate,
-    /// p̄.
+    /// p̄ (E0*kΛ/2).
     pub mean_pressure: Estimate,
-    /// Friction stress, positive against the motion.
+    /// Friction stress (E0*k²Λ²/2), positive against the motion.
     pub friction_stress: Estimate,
     /// μ/(kΛ), of a parabola μR/L: friction stress over mean pressure; none unless the mean pressure is positive beyond its error.
     pub friction_coefficient: Option<Estimate>,
-    /// U = ½∫p w.
+    /// U = ½∫p w, in reduced units.
     pub interface_work: Estimate,
-    /// What adhesion adds; none without it, and where it is so faint that no digit of the load feels it: the other numbers are then those without it, with bars that
+    /// What adhesion adds; none without it, and where it is so weak that no digit of the load feels it: the other numbers are then those without it, with bounds that
     /// hold what it would change.
     pub adhesion: Option<AdhesiveValues>,
 }
@@ -128,7 +128,7 @@ pub struct SlidingWork {
 /// Full contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FullContact {
-    /// p̄, if prescribed.
+    /// p̄, if prescribed (E0*kΛ/2).
     pub mean_pressure: Option<f64>,
     /// Friction stress, ½Im E(kv)/E0.
     pub friction_stress: Estimate,

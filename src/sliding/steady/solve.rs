@@ -1,19 +1,19 @@
 //! A steady sliding contact: the one that what is held leads to, full contact, or the reason why there is neither.
 //!
-//! The equilibrium curve of the speed ([`crate::sliding::equilibrium`]) knows every contact of a load or penetration and which of them are stable. Of several stable ones the
-//! narrowest is reached by a load that is raised from nothing, the widest by one that is lowered ([`ReachedBy`]). Where there is none, [`super::limits`] tells what was passed. Of a
-//! given half-width the contact of the smallest eccentricity is the one.
+//! The equilibrium curve of the speed ([`crate::sliding::equilibrium`]) knows every contact of a load or penetration and which of them are stable. Of several stable
+//! ones the narrowest is reached by a load that is raised from nothing, the widest by one that is lowered ([`ReachedBy`]). Where there is none, [`super::limits`] tells
+//! what was passed. Of a given half-width the contact of the smallest eccentricity is the one.
 
 use super::accuracy::solved;
-use super::faint::{may_be_faint, without_faint_adhesion};
 use super::full::full_contact;
 use super::limits::{closing_pressure, size_of};
+use super::negligible::{may_be_negligible, without_negligible_adhesion};
 use super::nothing::Nothing;
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{ContactStability, PartialContact, SlidingOutcome, SlidingWork};
 use super::start::Start;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use crate::sliding::branch::{SecondVariations, Stability};
 use crate::sliding::contact::{Indenter, Resolution, WaveContact};
@@ -21,7 +21,7 @@ use crate::sliding::edge_balance::SlidingControl;
 use crate::sliding::equilibrium::{Crossing, HeldQuantity, half_widths};
 use std::f64::consts::PI;
 
-/// The resolution of second variations: signs are told to five digits.
+/// The resolution of second variations: signs are known to five digits.
 const VARIATIONS: Resolution = Resolution::Medium;
 /// Half gaps below this need every digit for the signs of second variations.
 const NARROW: f64 = 0.2;
@@ -42,17 +42,17 @@ pub enum ReachedBy {
 ///
 /// # Errors
 /// As [`steady_sliding_reached_by`].
-pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
+pub fn steady_sliding(material: &PlaneMaterial, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
     steady_sliding_reached_by(material, problem, ReachedBy::Loading)
 }
 
 /// The steady contact of a material on a sliding indenter.
 ///
 /// # Errors
-/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off, and where an edge would be pressed or the faces would meet;
-/// [`Refusal::NotConverged`] is a defect.
+/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off, and where an edge would be pressed or the faces would
+/// meet; [`Refusal::NotConverged`] is a defect.
 pub fn steady_sliding_reached_by(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     reached_by: ReachedBy,
 ) -> Result<SlidingOutcome, Refusal> {
@@ -65,7 +65,7 @@ pub fn steady_sliding_reached_by(
     });
     let settled = match &found {
         Ok(SlidingOutcome::Partial(contact)) => contact.certificate.accuracy <= problem.accuracy,
-        Ok(SlidingOutcome::Full(_)) => problem.adhesion.is_none_or(|adhesion| !may_be_faint(material, adhesion)),
+        Ok(SlidingOutcome::Full(_)) => problem.adhesion.is_none_or(|adhesion| !may_be_negligible(material, adhesion)),
         Err(Refusal::OutOfRange { .. } | Refusal::Undefined { .. }) => true,
         Err(_) => false,
     };
@@ -73,7 +73,7 @@ pub fn steady_sliding_reached_by(
         return found;
     }
     let has_edges = matches!(found, Ok(SlidingOutcome::Partial(_)));
-    without_faint_adhesion(has_edges, material, problem, &mut work).map_or(found, Ok)
+    without_negligible_adhesion(has_edges, material, problem, &mut work).map_or(found, Ok)
 }
 
 /// What the equilibrium curve has of what is held.
@@ -89,7 +89,7 @@ enum Searched {
 /// # Errors
 /// [`Refusal::NoSuchState`] if there is none; as [`steady_sliding`].
 pub(in crate::sliding) fn contact_on_the_curve(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     work: &mut SlidingWork,
 ) -> Result<PartialContact, Refusal> {
@@ -110,7 +110,7 @@ pub(in crate::sliding) fn contact_on_the_curve(
 
 /// The contact on the equilibrium curve.
 fn searched(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     prepared: &Prepared,
     reached_by: ReachedBy,
@@ -259,7 +259,7 @@ fn of_width(problem: &SlidingProblem<'_>, prepared: &Prepared, half_width: f64, 
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NotConverged`] if no admissible contact is near.
-pub fn steady_sliding_near(material: &Material, problem: &SlidingProblem<'_>, start: &Start) -> Result<PartialContact, Refusal> {
+pub fn steady_sliding_near(material: &PlaneMaterial, problem: &SlidingProblem<'_>, start: &Start) -> Result<PartialContact, Refusal> {
     let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
     near_counted(&prepared, problem, start, &mut SlidingWork::default())
 }

@@ -27,7 +27,7 @@ pub(super) const NO_EFFECT: &[(&str, &str, &str)] = &[
     ("sliding.most_nodes", "", "nodes that the accuracy does not need are not taken; the profile of a file needs more"),
     ("sliding.reached_by", "", "one contact is stable there: which one of several is meant matters to few states"),
     ("sliding.branch.parameter", "branch of all loads", "every contact of a speed is one curve, whatever it is followed by"),
-    ("sliding.branch.branches", "branch of", "no branch lies apart there; tests/sliding/sec_3_4_every_branch.rs has some that do"),
+    ("sliding.branch.branches", "branch of", "no isolated branch lies there; tests/sliding/sec_3_4_every_branch.rs has some that do"),
 ];
 
 /// Texts and lists that no generic change makes a valid one of: key, values to try.

@@ -196,7 +196,7 @@ fn every_key_changes_the_result_or_is_refused_or_is_listed() {
     let found: Vec<(&Key, bool, Vec<String>)> = jobs
         .par_iter()
         .map(|(key, (name, text, document, base))| {
-            let mut complaints = Vec::new();
+            let mut failures = Vec::new();
             let mut felt = false;
             for (path, present) in places(&document.root, key.path) {
                 assert!(!generic_path(&path).is_empty());
@@ -205,7 +205,7 @@ fn every_key_changes_the_result_or_is_refused_or_is_listed() {
                 for trial in trials(key, present).into_iter().filter(|trial| trial != written) {
                     let set = format!("{path}={trial}");
                     let Ok(tried) = std::panic::catch_unwind(|| result(text, &folder, Some(&set))) else {
-                        complaints.push(format!("{set} panics in {name:?}"));
+                        failures.push(format!("{set} panics in {name:?}"));
                         continue;
                     };
                     match tried {
@@ -224,21 +224,21 @@ fn every_key_changes_the_result_or_is_refused_or_is_listed() {
                 let ignored = if has_default(key.kind) { same.len() > allowed } else { changed == 0 && !same.is_empty() };
                 let listed = NO_EFFECT.iter().any(|(listed, scene, _)| *listed == key.path && name.contains(scene));
                 if ignored && !listed {
-                    complaints.push(format!("{path} = {same:?} changes nothing in {name:?}, and is not refused"));
+                    failures.push(format!("{path} = {same:?} changes nothing in {name:?}, and is not refused"));
                 }
             }
-            (*key, felt, complaints)
+            (*key, felt, failures)
         })
         .collect();
-    let mut complaints: Vec<String> = found.iter().flat_map(|(_, _, complaints)| complaints.clone()).collect();
+    let mut failures: Vec<String> = found.iter().flat_map(|(_, _, failures)| failures.clone()).collect();
     let felt: BTreeSet<&str> = found.iter().filter(|(_, felt, _)| *felt).map(|(key, ..)| key.path).collect();
     for key in of_runs() {
         let is_leaf = !trials(key, None).is_empty();
         let listed = NO_EFFECT.iter().any(|(listed, ..)| *listed == key.path);
         if is_leaf && !listed && !felt.contains(key.path) {
-            complaints.push(format!("{}: no scene of this test holds it and shows what it changes", key.path));
+            failures.push(format!("{}: no scene of this test holds it and shows what it changes", key.path));
         }
     }
     println!("{} keys, {} scenes", keys().count(), bases.len());
-    assert!(complaints.is_empty(), "{} complaints\n{}", complaints.len(), complaints.join("\n"));
+    assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
 }

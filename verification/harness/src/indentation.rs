@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use viscotack::indentation::{
     Adhesion, Contact, Controlled, History, IndentationProblem, Panel, Profile, Springs, Start, SurfaceFields, Sweep, Zone,
-    elastic_contact, march, run, zone_work,
+    elastic_contact, integrate, run, zone_work,
 };
 
 /// The indenter of a kind, from its numbers: radius; slope; radius; coefficient and exponent; r, z, r, z… of a table.
@@ -97,7 +97,7 @@ fn prescribed_contact<'py>(
     Ok(out)
 }
 
-/// A history solved to an accuracy, or, with a `tolerance`, one march. `segments` are (control, end, duration).
+/// A history solved to an accuracy, or, with a `tolerance`, one integration. `segments` are (control, end, duration).
 #[pyfunction]
 #[pyo3(signature = (material, kind, numbers, start_word, control, start_value, segments, work_of_adhesion = None, process_zone = None, frame_stiffness = None, instants_per_segment = 1, accuracy = 1e-4, energies = false, tolerance = None))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python function")]
@@ -136,7 +136,7 @@ fn indentation<'py>(
     };
     let out = PyDict::new(py);
     if let Some(tolerance) = tolerance {
-        let trace = march(&material.0, &problem, tolerance).map_err(refused)?;
+        let trace = integrate(&material.0, &problem, tolerance).map_err(refused)?;
         let column = |of: fn(&viscotack::indentation::PathPoint) -> f64| array(py, &trace.path.iter().map(of).collect::<Vec<_>>());
         out.set_item("time", column(|point| point.time)?)?;
         out.set_item("penetration", column(|point| point.penetration)?)?;

@@ -2,12 +2,12 @@
 
 use crate::arrays::{Numbers, array, mapped, refused};
 use pyo3::prelude::*;
-use viscotack::Material;
+use viscotack::PlaneMaterial;
 use viscotack::material::{CreepTerm, RelaxationTerm};
 
 /// A linear viscoelastic material.
 #[pyclass(name = "Material", frozen)]
-pub(crate) struct PyMaterial(pub(crate) Material);
+pub(crate) struct PyMaterial(pub(crate) PlaneMaterial);
 
 /// value, d ln value/d ln t, bound on the relative error.
 type Mean = (f64, f64, f64);
@@ -20,7 +20,7 @@ impl PyMaterial {
     fn from_creep(glassy_modulus: f64, compliances: Numbers, times: Numbers, steady_viscosity: Option<f64>) -> PyResult<Self> {
         let terms: Vec<CreepTerm> =
             compliances.0.iter().zip(&times.0).map(|(&compliance, &retardation_time)| CreepTerm { compliance, retardation_time }).collect();
-        Material::from_creep(glassy_modulus, &terms, steady_viscosity).map(Self).map_err(refused)
+        PlaneMaterial::from_creep(glassy_modulus, &terms, steady_viscosity).map(Self).map_err(refused)
     }
 
     /// From relaxation: relaxed modulus, moduli, RELAXATION times.
@@ -28,7 +28,7 @@ impl PyMaterial {
     fn from_relaxation(relaxed_modulus: f64, moduli: Numbers, times: Numbers) -> PyResult<Self> {
         let terms: Vec<RelaxationTerm> =
             moduli.0.iter().zip(&times.0).map(|(&modulus, &relaxation_time)| RelaxationTerm { modulus, relaxation_time }).collect();
-        Material::from_relaxation(relaxed_modulus, &terms).map(Self).map_err(refused)
+        PlaneMaterial::from_relaxation(relaxed_modulus, &terms).map(Self).map_err(refused)
     }
 
     /// Every modulus multiplied, as by 1/(1 − ν²).

@@ -103,7 +103,7 @@ fn drawn(curves: &[Curve]) -> Vec<plot::Curve> {
     all
 }
 
-/// Stretches of one kind; neighbours share the point between them.
+/// Segments of one kind; neighbours share the point between them.
 fn pieces(points: &[Point]) -> Vec<(bool, Vec<(f64, f64)>)> {
     let mut pieces: Vec<(bool, Vec<(f64, f64)>)> = Vec::new();
     for point in points {

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 /// How a feature ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Verdict {
+pub enum FeatureResult {
     /// It holds.
     Passed,
     /// A claim of the thesis that does not come out; what comes out instead does.
@@ -18,7 +18,7 @@ pub enum Verdict {
     Failed,
 }
 
-impl Verdict {
+impl FeatureResult {
     /// Its word in tables.
     #[must_use]
     pub const fn word(self) -> &'static str {
@@ -38,7 +38,7 @@ pub struct Checked {
     /// Section or equation of the thesis that states it; empty: ours.
     pub source: String,
     /// How it ended.
-    pub verdict: Verdict,
+    pub result: FeatureResult,
     /// What was measured.
     pub measured: Vec<f64>,
     /// What was expected, in words.
@@ -87,16 +87,16 @@ pub(super) fn checked(place: &str, entry: &FeatureEntry, curves: &[Curve], scale
     };
     let broken = |mutation: &Mutation| !numbers(&mutation.of(&named)).is_ok_and(|measured| as_expected(entry, &measured));
     let broken_by: Vec<Mutation> = if problem.is_empty() { Mutation::ALL.into_iter().filter(broken).collect() } else { Vec::new() };
-    let (verdict, why) = match &entry.not_confirmed {
-        _ if !problem.is_empty() => (Verdict::Failed, problem),
-        _ if broken_by.is_empty() => (Verdict::Failed, "no mutation of the data breaks it".to_owned()),
-        Some(_) if holds => (Verdict::Failed, "it is listed as not confirmed, and comes out".to_owned()),
-        Some(why) if as_expected(entry, &measured) => (Verdict::NotConfirmed, why.clone()),
-        Some(_) => (Verdict::Failed, format!("neither the claim nor what should come out instead, {:?}", entry.comes_out)),
-        None if holds => (Verdict::Passed, String::new()),
-        None => (Verdict::Failed, "it does not hold".to_owned()),
+    let (result, why) = match &entry.not_confirmed {
+        _ if !problem.is_empty() => (FeatureResult::Failed, problem),
+        _ if broken_by.is_empty() => (FeatureResult::Failed, "no mutation of the data breaks it".to_owned()),
+        Some(_) if holds => (FeatureResult::Failed, "it is listed as not confirmed, and comes out".to_owned()),
+        Some(why) if as_expected(entry, &measured) => (FeatureResult::NotConfirmed, why.clone()),
+        Some(_) => (FeatureResult::Failed, format!("neither the claim nor what should come out instead, {:?}", entry.comes_out)),
+        None if holds => (FeatureResult::Passed, String::new()),
+        None => (FeatureResult::Failed, "it does not hold".to_owned()),
     };
-    Ok(Checked { claim: entry.claim.clone(), source: entry.source.clone(), verdict, measured, expected, why, broken_by })
+    Ok(Checked { claim: entry.claim.clone(), source: entry.source.clone(), result, measured, expected, why, broken_by })
 }
 
 /// One number a curve, divided where asked.

@@ -34,7 +34,7 @@ pub(super) enum Take {
     /// How often y crosses `level`.
     Crossings,
     /// Largest distance in y from the curve `than`, over the range of both (on a logarithmic axis of ln y, not divided).
-    Apart,
+    LargestDistance,
     /// Smallest y over that of the curve `than` at the same x.
     SmallestRatio,
     /// Largest y over that of the curve `than` at the same x.
@@ -94,7 +94,7 @@ pub(super) fn measured(take: Take, curve: &Curve, place: Where<'_>, scales: Scal
         }
         Take::Crossing => *crossings(&points, level()?, scales).first().ok_or_else(|| format!("`{}` never crosses it", curve.name))?,
         Take::Crossings => crossings(&points, level()?, scales).len() as f64,
-        Take::Apart => {
+        Take::LargestDistance => {
             let other = than()?.solved();
             let range =
                 points.iter().chain(&other).fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], (_, y)| [low.min(*y), high.max(*y)]);
@@ -125,7 +125,7 @@ fn scaled(value: f64, log: bool) -> f64 {
     if log { value.ln() } else { value }
 }
 
-/// y at a place, in the first stretch that holds it.
+/// y at a place, in the first segment that holds it.
 fn value_at(points: &[(f64, f64)], at: f64, scales: Scales) -> Option<f64> {
     if let Some((_, y)) = points.iter().find(|(x, _)| (x - at).abs() <= 1e-12 * at.abs()) {
         return Some(*y);

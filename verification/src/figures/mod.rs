@@ -27,7 +27,7 @@ mod source;
 mod store;
 mod table;
 
-pub use feature::{Checked, Verdict};
+pub use feature::{Checked, FeatureResult};
 pub use manifest::{Manifest, ManifestError};
 pub use mutation::Mutation;
 pub use report::{FigureReport, PanelReport, Report};

@@ -1,7 +1,7 @@
 //! What a run of figures gives.
 
 use super::curve::Curve;
-use super::feature::{Checked, Verdict};
+use super::feature::{Checked, FeatureResult};
 use super::manifest::{FigureEntry, PanelEntry};
 
 /// All figures of a run.
@@ -46,8 +46,8 @@ pub struct PanelReport {
 impl FigureReport {
     /// Number of features that ended in a way.
     #[must_use]
-    pub fn count(&self, verdict: Verdict) -> usize {
-        self.panels.iter().flat_map(|panel| &panel.features).filter(|feature| feature.verdict == verdict).count()
+    pub fn count(&self, result: FeatureResult) -> usize {
+        self.panels.iter().flat_map(|panel| &panel.features).filter(|feature| feature.result == result).count()
     }
 }
 
@@ -59,8 +59,8 @@ impl Report {
 
     /// Number of features that ended in a way.
     #[must_use]
-    pub fn count(&self, verdict: Verdict) -> usize {
-        self.figures.iter().map(|figure| figure.count(verdict)).sum()
+    pub fn count(&self, result: FeatureResult) -> usize {
+        self.figures.iter().map(|figure| figure.count(result)).sum()
     }
 
     /// The table: figure, passed, not confirmed, failed, seconds; then every feature that failed.
@@ -71,20 +71,20 @@ impl Report {
         let line = |name: &str, panels: usize, [passed, open, failed]: [usize; 3], seconds: String| {
             format!("{name:<8} {panels:>6} {passed:>8} {open:>13} {failed:>6} {seconds:>8}\n")
         };
-        const VERDICTS: [Verdict; 3] = [Verdict::Passed, Verdict::NotConfirmed, Verdict::Failed];
+        const RESULTS: [FeatureResult; 3] = [FeatureResult::Passed, FeatureResult::NotConfirmed, FeatureResult::Failed];
         for figure in &self.figures {
             let seconds = if figure.fresh { format!("{:.2}", figure.seconds) } else { "kept".to_owned() };
-            text.push_str(&line(&figure.id, figure.panels.len(), VERDICTS.map(|verdict| figure.count(verdict)), seconds));
+            text.push_str(&line(&figure.id, figure.panels.len(), RESULTS.map(|result| figure.count(result)), seconds));
         }
         let panels = self.figures.iter().map(|figure| figure.panels.len()).sum();
         let seconds =
             self.figures.iter().filter(|figure| figure.fresh).map(|figure| figure.seconds).fold(0.0, |sum, seconds| sum + seconds);
-        text.push_str(&line("all", panels, VERDICTS.map(|verdict| self.count(verdict)), format!("{seconds:.2}")));
+        text.push_str(&line("all", panels, RESULTS.map(|result| self.count(result)), format!("{seconds:.2}")));
         for (id, reason) in &self.not_reproduced {
             text.push_str(&format!("{id:<8} not reproduced: {reason}\n"));
         }
         for panel in self.figures.iter().flat_map(|figure| &figure.panels) {
-            for feature in panel.features.iter().filter(|feature| feature.verdict == Verdict::Failed) {
+            for feature in panel.features.iter().filter(|feature| feature.result == FeatureResult::Failed) {
                 let numbers = feature.measured.iter().map(|number| format!("{number:.6e}")).collect::<Vec<_>>().join(", ");
                 text.push_str(&format!(
                     "FAILED {}: {} (expected {}, measured {numbers}: {})\n",

@@ -75,7 +75,7 @@ pub enum FiguresError {
 /// Makes the figures; `progress` hears of finished sources and their number.
 ///
 /// # Errors
-/// [`FiguresError`]; a feature that fails is no error, but a verdict in the report.
+/// [`FiguresError`]; a feature that fails is no error, but a result in the report.
 pub fn run(manifest: &Manifest, options: &Options, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Report, FiguresError> {
     let chosen = selected(manifest, options)?;
     let store = options.out.as_deref().map(Store::open).transpose()?;

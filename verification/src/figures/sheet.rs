@@ -1,6 +1,6 @@
 //! The contact sheet: every panel with its plot, its table and what was checked, on one page of HTML.
 
-use super::feature::Verdict;
+use super::feature::FeatureResult;
 use super::report::Report;
 use super::shown::{ShownFeature, ShownFigure, ShownPanel};
 use viscotack_program::outcome::folder::FolderError;
@@ -9,7 +9,7 @@ use viscotack_program::outcome::page::{closed, duration, escaped, number, opened
 
 /// Writes `index.html` of the figures in the folder.
 pub(super) fn write(report: &Report, figures: &[ShownFigure], out: &mut OwnedFolder) -> Result<(), FolderError> {
-    let failed: usize = figures.iter().map(|figure| figure.count(Verdict::Failed)).sum();
+    let failed: usize = figures.iter().map(|figure| figure.count(FeatureResult::Failed)).sum();
     let (class, word) = if failed == 0 { ("good", "No feature failed") } else { ("bad", "Features failed") };
     let mut page = opened("Figures of the thesis");
     page.push_str(&format!(
@@ -41,7 +41,8 @@ fn earlier(figures: &[ShownFigure]) -> String {
 fn overview(figures: &[ShownFigure]) -> String {
     let mut table = "<div class=\"wide\"><table class=\"overview\">\n<thead><tr><th>figure</th><th>passed</th><th>not confirmed</th><th>failed</th><th>time</th></tr></thead>\n<tbody>\n".to_owned();
     for figure in figures {
-        let [passed, open, failed] = [Verdict::Passed, Verdict::NotConfirmed, Verdict::Failed].map(|verdict| figure.count(verdict));
+        let [passed, open, failed] =
+            [FeatureResult::Passed, FeatureResult::NotConfirmed, FeatureResult::Failed].map(|result| figure.count(result));
         let class = if failed > 0 { " class=\"failed\"" } else { "" };
         let (id, title, time) = (&figure.id, escaped(&figure.title), duration(figure.seconds));
         table.push_str(&format!(
@@ -104,10 +105,10 @@ fn of_feature(feature: &ShownFeature) -> String {
     let why = if feature.why.is_empty() { String::new() } else { format!(" {}", escaped(&feature.why)) };
     format!(
         "<li class=\"{}\">{}{why} <small>({source}; expected {}; measured {numbers}; broken by: {broken})</small></li>\n",
-        match feature.verdict {
-            Verdict::Passed => "passed",
-            Verdict::NotConfirmed => "stated",
-            Verdict::Failed => "failed",
+        match feature.result {
+            FeatureResult::Passed => "passed",
+            FeatureResult::NotConfirmed => "stated",
+            FeatureResult::Failed => "failed",
         },
         escaped(&feature.claim),
         escaped(&feature.expected)

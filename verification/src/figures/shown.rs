@@ -2,7 +2,7 @@
 //!
 //! `panels.json` keeps each panel with the day, the program and the digest of its table. An earlier panel stays in the index while its table is in the folder.
 
-use super::feature::{Checked, Verdict};
+use super::feature::{Checked, FeatureResult};
 use super::report::{FigureReport, PanelReport, Report};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -55,7 +55,8 @@ pub(super) struct ShownPanel {
 pub(super) struct ShownFeature {
     pub(super) claim: String,
     pub(super) source: String,
-    pub(super) verdict: Verdict,
+    #[serde(rename = "verdict")]
+    pub(super) result: FeatureResult,
     /// Texts, so that numbers which are not finite are kept, too.
     pub(super) measured: Vec<String>,
     pub(super) expected: String,
@@ -65,8 +66,8 @@ pub(super) struct ShownFeature {
 
 impl ShownFigure {
     /// Number of features that ended in a way.
-    pub(super) fn count(&self, verdict: Verdict) -> usize {
-        self.panels.iter().flat_map(|panel| &panel.features).filter(|feature| feature.verdict == verdict).count()
+    pub(super) fn count(&self, result: FeatureResult) -> usize {
+        self.panels.iter().flat_map(|panel| &panel.features).filter(|feature| feature.result == result).count()
     }
 }
 
@@ -143,7 +144,7 @@ fn of_feature(feature: &Checked) -> ShownFeature {
     ShownFeature {
         claim: feature.claim.clone(),
         source: feature.source.clone(),
-        verdict: feature.verdict,
+        result: feature.result,
         measured: feature.measured.iter().map(|number| format!("{number:e}")).collect(),
         expected: feature.expected.clone(),
         why: feature.why.clone(),
@@ -163,7 +164,7 @@ pub(super) fn features(figures: &[ShownFigure]) -> Result<Vec<u8>, csv::Error> {
                     panel.id.clone(),
                     feature.claim.clone(),
                     feature.source.clone(),
-                    feature.verdict.word().to_owned(),
+                    feature.result.word().to_owned(),
                     feature.measured.join(" "),
                     feature.expected.clone(),
                     feature.broken_by.join(" "),

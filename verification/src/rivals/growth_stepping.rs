@@ -11,10 +11,10 @@
 //!
 //! Increments of J between steps weigh the mean of √(…)₊ at both ends. Each trial sums all points over all times: the cost is quadratic in the
 //! steps. A start between two steps is found to first order only, so let the delay be a whole number of them. Shares nothing with
-//! [`viscotack::crack::delayed`], neither the collapse nor the memory; the Python twin is `verification/references/delayed_fracture.py`.
+//! [`viscotack::crack::delayed`], neither the collapse nor the memory; the same in Python is `verification/references/delayed_fracture.py`.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::{Refusal, require_positive};
 
 /// Trials of one place.
@@ -58,7 +58,7 @@ impl GrowthStepping {
     /// # Errors
     /// [`Refusal::OutOfRange`] for a number that is not positive; [`Refusal::NotConverged`] where a place is not found, as under a load at the
     /// glassy limit.
-    pub fn run(&self, material: &Material) -> Result<SteppedGrowth, Refusal> {
+    pub fn run(&self, material: &PlaneMaterial) -> Result<SteppedGrowth, Refusal> {
         require_positive("work_of_adhesion", self.work_of_adhesion)?;
         let zone = require_positive("process_zone", self.process_zone)?;
         require_positive("intensity", self.intensity)?;

@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 use viscotack::crack::curve::{CurvePoint, Motion, SteadyCurve};
 use viscotack::crack::process_zone::Interface;
 use viscotack::crack::steep_closing::Correction;
-use viscotack::material::{Material, WeightedMean};
+use viscotack::material::{PlaneMaterial, WeightedMean};
 use viscotack::refusal::Refusal;
 use viscotack::special::log_quadrature::integrate_between_edges;
 
@@ -22,7 +22,7 @@ const DERIVATIVE_STEP: f64 = 6e-6;
 /// The raw double integral as a theory of steady cracks.
 #[derive(Debug, Clone)]
 pub struct RawCrackWork<'a> {
-    material: &'a Material,
+    material: &'a PlaneMaterial,
     motion: Motion,
     interface: Interface,
     tolerance: f64,
@@ -33,7 +33,7 @@ impl<'a> RawCrackWork<'a> {
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for an interface with a number that is not positive and finite.
-    pub fn new(material: &'a Material, motion: Motion, interface: Interface, tolerance: f64) -> Result<Self, Refusal> {
+    pub fn new(material: &'a PlaneMaterial, motion: Motion, interface: Interface, tolerance: f64) -> Result<Self, Refusal> {
         Ok(Self { material, motion, interface: interface.checked()?, tolerance })
     }
 
@@ -117,7 +117,7 @@ impl SteadyCurve for RawCrackWork<'_> {
         CurvePoint::of_mean(&mean, &self.interface, self.material, self.motion, crossing_time, evaluations)
     }
 
-    fn material(&self) -> &Material {
+    fn material(&self) -> &PlaneMaterial {
         self.material
     }
 

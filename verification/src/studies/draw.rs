@@ -2,7 +2,7 @@
 //!
 //! Each scene of a study has a stream of its own, so that any one of them can be drawn again alone, in any order, on any number of threads.
 
-use viscotack::material::{CreepTerm, Material, RelaxationTerm};
+use viscotack::material::{CreepTerm, PlaneMaterial, RelaxationTerm};
 use viscotack::refusal::Refusal;
 use viscotack::special::split_mix::SplitMix;
 
@@ -51,7 +51,7 @@ impl Draw {
     ///
     /// # Errors
     /// Those of making a material.
-    pub fn solid(&mut self, relaxed: f64, beta: f64, longest: f64, terms: usize, decades: f64) -> Result<Material, Refusal> {
+    pub fn solid(&mut self, relaxed: f64, beta: f64, longest: f64, terms: usize, decades: f64) -> Result<PlaneMaterial, Refusal> {
         let weights: Vec<f64> = (0..terms).map(|_| self.log_between(0.2, 5.0)).collect();
         let total: f64 = weights.iter().sum();
         let times: Vec<f64> = (0..terms)
@@ -66,12 +66,12 @@ impl Draw {
             let gained = (beta - 1.0) / (beta * relaxed);
             let terms: Vec<CreepTerm> =
                 pairs().map(|(weight, &retardation_time)| CreepTerm { compliance: gained * weight / total, retardation_time }).collect();
-            Material::from_creep(beta * relaxed, &terms, None)
+            PlaneMaterial::from_creep(beta * relaxed, &terms, None)
         } else {
             let lost = (beta - 1.0) * relaxed;
             let terms: Vec<RelaxationTerm> =
                 pairs().map(|(weight, &relaxation_time)| RelaxationTerm { modulus: lost * weight / total, relaxation_time }).collect();
-            Material::from_relaxation(relaxed, &terms)
+            PlaneMaterial::from_relaxation(relaxed, &terms)
         }
     }
 }

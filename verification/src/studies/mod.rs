@@ -38,7 +38,9 @@ pub mod whole_grammar;
 
 pub use report::{PAGE, files};
 pub use run::{Report, StudiesError, chosen, run};
-pub use section::{Cell, Check, Column, Effort, Plot, Progress, Section, Table, Verdict, failures, ours, rival, stored as stored_curve};
+pub use section::{
+    Cell, Check, CheckResult, Column, Effort, Plot, Progress, Section, Table, failures, ours, rival, stored as stored_curve,
+};
 pub use stamp::Stamp;
 
 /// One study: what the page calls it, and what computes it.

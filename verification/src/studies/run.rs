@@ -1,6 +1,6 @@
 //! All studies in one run.
 
-use super::section::{Check, Effort, Progress, Section, Verdict};
+use super::section::{Check, CheckResult, Effort, Progress, Section};
 use super::stamp::Stamp;
 use super::{STUDIES, Study};
 use rayon::prelude::*;
@@ -37,30 +37,31 @@ pub struct Report {
 impl Report {
     /// Number of checks that ended in a way.
     #[must_use]
-    pub fn count(&self, verdict: Verdict) -> usize {
-        self.sections.iter().map(|section| section.count(verdict)).sum()
+    pub fn count(&self, result: CheckResult) -> usize {
+        self.sections.iter().map(|section| section.count(result)).sum()
     }
 
     /// Every check that ended in a way, with its section.
-    pub fn ended(&self, verdict: Verdict) -> impl Iterator<Item = (&Section, &Check)> {
+    pub fn ended(&self, result: CheckResult) -> impl Iterator<Item = (&Section, &Check)> {
         self.sections
             .iter()
-            .flat_map(move |section| section.checks.iter().filter(move |check| check.verdict == verdict).map(move |check| (section, check)))
+            .flat_map(move |section| section.checks.iter().filter(move |check| check.result == result).map(move |check| (section, check)))
     }
 
     /// The table on the screen: a line a section, then every check that failed, then the closing line.
     #[must_use]
     pub fn table(&self) -> String {
         let mut text = format!("{:<24} {:>7} {:>7} {:>7} {:>8}\n", "section", "passed", "stated", "failed", "seconds");
-        let counts = |section: &Section| [Verdict::Passed, Verdict::Stated, Verdict::Failed].map(|verdict| section.count(verdict));
+        let counts =
+            |section: &Section| [CheckResult::Passed, CheckResult::Stated, CheckResult::Failed].map(|result| section.count(result));
         for section in &self.sections {
             let [passed, stated, failed] = counts(section);
             text.push_str(&format!("{:<24} {passed:>7} {stated:>7} {failed:>7} {:>8.1}\n", section.identifier, section.seconds));
         }
-        for (section, check) in self.ended(Verdict::Stated) {
+        for (section, check) in self.ended(CheckResult::Stated) {
             text.push_str(&format!("stated {}: {} (expected {}; found {})\n", section.identifier, check.name, check.expected, check.found));
         }
-        for (section, check) in self.ended(Verdict::Failed) {
+        for (section, check) in self.ended(CheckResult::Failed) {
             text.push_str(&format!("FAILED {}: {} (expected {}; found {})\n", section.identifier, check.name, check.expected, check.found));
         }
         text.push_str(&self.closing_line());
@@ -73,9 +74,9 @@ impl Report {
         let effort = self.effort.choose("reduced", "full");
         format!(
             "verify ({effort}): {} checks passed, {} stated, {} failed in {} sections, {:.0} s\n",
-            self.count(Verdict::Passed),
-            self.count(Verdict::Stated),
-            self.count(Verdict::Failed),
+            self.count(CheckResult::Passed),
+            self.count(CheckResult::Stated),
+            self.count(CheckResult::Failed),
             self.sections.len(),
             self.seconds
         )

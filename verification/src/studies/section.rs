@@ -26,7 +26,7 @@ impl Effort {
 
 /// How a check ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum CheckResult {
     /// It holds.
     Passed,
     /// It does not hold, and the page says so with numbers: a rival wins here, a time is long. Never a failure of the command.
@@ -35,7 +35,7 @@ pub enum Verdict {
     Failed,
 }
 
-impl Verdict {
+impl CheckResult {
     /// The word on the page and in the tables.
     #[must_use]
     pub fn word(self) -> &'static str {
@@ -57,22 +57,22 @@ pub struct Check {
     /// What was found.
     pub found: String,
     /// How it ended.
-    pub verdict: Verdict,
+    pub result: CheckResult,
 }
 
 impl Check {
     /// A check that passes or fails.
     #[must_use]
     pub fn new(name: impl Into<String>, expected: impl Into<String>, found: impl Into<String>, passed: bool) -> Self {
-        let verdict = if passed { Verdict::Passed } else { Verdict::Failed };
-        Self { name: name.into(), expected: expected.into(), found: found.into(), verdict }
+        let result = if passed { CheckResult::Passed } else { CheckResult::Failed };
+        Self { name: name.into(), expected: expected.into(), found: found.into(), result }
     }
 
     /// A statement that passes or else is only stated: times, and who wins where.
     #[must_use]
     pub fn statement(name: impl Into<String>, expected: impl Into<String>, found: impl Into<String>, holds: bool) -> Self {
-        let verdict = if holds { Verdict::Passed } else { Verdict::Stated };
-        Self { name: name.into(), expected: expected.into(), found: found.into(), verdict }
+        let result = if holds { CheckResult::Passed } else { CheckResult::Stated };
+        Self { name: name.into(), expected: expected.into(), found: found.into(), result }
     }
 }
 
@@ -222,8 +222,8 @@ impl Section {
 
     /// Number of checks that ended in a way.
     #[must_use]
-    pub fn count(&self, verdict: Verdict) -> usize {
-        self.checks.iter().filter(|check| check.verdict == verdict).count()
+    pub fn count(&self, result: CheckResult) -> usize {
+        self.checks.iter().filter(|check| check.result == result).count()
     }
 }
 

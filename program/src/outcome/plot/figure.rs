@@ -237,7 +237,7 @@ impl Curve {
         self
     }
 
-    /// Draws this sign on a few points only, evenly along the curve: it tells densely sampled curves apart without colour.
+    /// Draws this sign on a few points only, evenly along the curve: it distinguishes densely sampled curves without colour.
     #[must_use]
     pub fn with_sparse_marker(mut self, marker: Marker) -> Self {
         self.marker = marker;
@@ -329,7 +329,7 @@ pub enum MarkerSpacing {
     Sparse,
 }
 
-/// The colour of a curve, from a palette that the colour-blind can tell apart.
+/// The colour of a curve, from a palette that the colour-blind can distinguish.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Colour {
     /// By the place of the curve in the figure.

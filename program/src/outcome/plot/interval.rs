@@ -45,7 +45,7 @@ impl Interval {
         match axis.scale {
             Scale::Linear => {
                 if upper - lower < SHORTEST_LINEAR || half_length(lower, upper) < NARROWEST_LINEAR * lower.abs().max(upper.abs()) {
-                    return refuse("the ends are too close together to be told apart");
+                    return refuse("the ends are too close together to be distinguished");
                 }
                 Ok(Self { scale: axis.scale, lower, upper })
             }
@@ -55,7 +55,7 @@ impl Interval {
                 }
                 let (lower_exponent, upper_exponent) = (lower.log10(), upper.log10());
                 if upper_exponent - lower_exponent < NARROWEST_LOGARITHMIC {
-                    return refuse("the ends are too close together to be told apart");
+                    return refuse("the ends are too close together to be distinguished");
                 }
                 Ok(Self { scale: axis.scale, lower: lower_exponent, upper: upper_exponent })
             }

@@ -52,7 +52,7 @@ impl DelayedFracturePlan {
         Work { closure_evaluations: balances as u64, kernel_evaluations: (terms * integrals) as u64, ..Work::default() }
     }
 
-    /// Steps of growth, and stretches at rest, of all four runs.
+    /// Steps of growth, and segments at rest, of all four runs.
     fn expected_steps(&self, problem: &GrowthProblem<'_>) -> (f64, f64) {
         let lines = f64::from(self.resolution().lines_per_zone);
         // Cycles look at the same loads again and again.
@@ -67,18 +67,18 @@ impl DelayedFracturePlan {
             })
         };
         let (mut steps, mut rests, mut waited, mut started) = (0.0, 0.0, 0.0, false);
-        for stretch in self.history.stretches() {
-            let duration = stretch.duration.min(self.duration - stretch.start);
+        for segment in self.history.segments() {
+            let duration = segment.duration.min(self.duration - segment.start);
             if duration <= 0.0 {
                 continue;
             }
-            let constant = stretch.from.to_bits() == stretch.to.to_bits();
+            let constant = segment.from.to_bits() == segment.to.to_bits();
             let looks = if constant { 1 } else { LOOKS };
             let part = duration / f64::from(looks);
             let mut zones = 0.0;
             for index in 0..looks {
                 let middle = (f64::from(index) + 0.5) / f64::from(looks);
-                let (speed, delay) = look(stretch.from + (stretch.to - stretch.from) * middle);
+                let (speed, delay) = look(segment.from + (segment.to - segment.from) * middle);
                 // The waiting is used up by every part at its own rate; a tip that has run waits only for the load.
                 let before: f64 = if started { 1.0 } else { waited };
                 waited += part / delay;

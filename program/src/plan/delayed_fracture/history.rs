@@ -5,7 +5,7 @@ use viscotack::crack::delayed::{LoadHistory, LoadSegment, Wave};
 use viscotack::elastic::PureShearStrip;
 use viscotack::refusal::Refusal;
 
-/// Values of a swept load that the cost of a sweep is judged by.
+/// Values of a swept load that the cost of a sweep is assessed by.
 const EXAMPLES: usize = 7;
 
 /// K(t), and how long it is prescribed (s).

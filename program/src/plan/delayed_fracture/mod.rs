@@ -18,7 +18,7 @@ use crate::scene::typed::{CohesiveLaw, DelayedFracture, PoissonRatio, ProcessZon
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Resolution};
 use viscotack::crack::{Interface, ProcessZone};
 use viscotack::elastic::PureShearStrip;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// A crack under a load history, ready to be solved.
@@ -26,7 +26,7 @@ use viscotack::refusal::Refusal;
 pub(super) struct DelayedFracturePlan {
     crack: DelayedFracture,
     /// Both series with plane moduli.
-    plane_material: Material,
+    plane_material: PlaneMaterial,
     youngs_relaxed_modulus: f64,
     poisson_ratio: PoissonRatio,
     strip: Option<PureShearStrip>,
@@ -124,8 +124,8 @@ impl DelayedFracturePlan {
 
     /// Whether the load is one step, held for ever: the delay is then known without stepping.
     fn is_one_step(&self) -> bool {
-        self.history.stretches().iter().all(|stretch| stretch.from.to_bits() == stretch.to.to_bits())
-            && self.history.stretches().windows(2).all(|pair| matches!(pair, [one, two] if one.to.to_bits() == two.from.to_bits()))
+        self.history.segments().iter().all(|segment| segment.from.to_bits() == segment.to.to_bits())
+            && self.history.segments().windows(2).all(|pair| matches!(pair, [one, two] if one.to.to_bits() == two.from.to_bits()))
     }
 }
 
@@ -168,7 +168,7 @@ impl ProblemPlan for DelayedFracturePlan {
 
     fn rows_of_a_state(&self) -> u64 {
         // The summary, and a few events of each piece of the history.
-        u64::from(self.crack.output.points) + 4 * self.history.stretches().len() as u64 + 16
+        u64::from(self.crack.output.points) + 4 * self.history.segments().len() as u64 + 16
     }
 
     fn abscissa(&self) -> Option<&'static str> {
@@ -200,7 +200,7 @@ impl ProblemPlan for DelayedFracturePlan {
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        self.verdicts(rows)
+        self.assessments(rows)
     }
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {

@@ -49,7 +49,7 @@ impl DelayedFracturePlan {
         let mut rows = vec![self.summary(&problem, found.as_ref(), empty("summary"), &scales)?];
         rows.extend(found.iter().flat_map(|found| self.rows_of(&problem, found, outputs.len(), empty)));
         for row in &mut rows {
-            self.judge(row, &scales);
+            self.assess(row, &scales);
             row.representable(&columns(self.units))?;
         }
         Ok(rows)
@@ -249,7 +249,7 @@ impl DelayedFracturePlan {
     }
 
     /// Flags a row with an error bound above the wanted accuracy.
-    fn judge(&self, row: &mut Row, scales: &Scales) {
+    fn assess(&self, row: &mut Row, scales: &Scales) {
         if let Some((column, error)) = self.longest_bound(row, scales).filter(|(_, error)| *error > self.accuracy) {
             row.status = Status::Inaccurate;
             row.reason =

@@ -1,9 +1,9 @@
-//! Where the model of a crack under a load history may be doubted: each number at the greatest load and speed of the history.
+//! Where the model of a crack under a load history may fail: each number at the greatest load and speed of the history.
 
 use super::DelayedFracturePlan;
 use super::solve::Scales;
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
+use crate::plan::assumptions::{Assumption, Limit, assessed, constant_poisson_ratio, not_assessed};
 use crate::scene::typed::{ProcessZoneLaw, Units};
 use viscotack::crack::delayed::GrowthProblem;
 use viscotack::crack::delayed::validity::growth_validity;
@@ -43,7 +43,7 @@ const ASSUMPTIONS: [Assumption; 6] = [
 ];
 
 impl DelayedFracturePlan {
-    /// The numbers that the assumptions are judged by.
+    /// The numbers that the assumptions are assessed by.
     pub(super) fn assumptions(&self, problem: &GrowthProblem<'_>, scales: &Scales) -> Vec<Option<f64>> {
         let peak = self.history.peak();
         let zone = problem.process_zone_at(peak);
@@ -74,11 +74,11 @@ impl DelayedFracturePlan {
         ]
     }
 
-    pub(super) fn verdicts(&self, rows: &[Row]) -> Vec<Validity> {
-        let mut entries = judged(&ASSUMPTIONS, rows);
+    pub(super) fn assessments(&self, rows: &[Row]) -> Vec<Validity> {
+        let mut entries = assessed(&ASSUMPTIONS, rows);
         entries.extend(crate::plan::measured::records(&self.crack.history, self.accuracy));
         entries.extend(constant_poisson_ratio(self.poisson_ratio));
-        entries.push(not_judged(
+        entries.push(not_assessed(
             "healing, inertia and heat",
             None,
             "left out: the faces never join again, speeds must stay far below the shear-wave speed, and the tip isothermal",

@@ -1,6 +1,6 @@
-//! Values between the points of a way: cubic within smooth stretches, along one abscissa that rises or falls.
+//! Values between the points of a way: cubic within smooth pieces, along one abscissa that rises or falls.
 
-/// A branch of a curve: abscissa rising, ordinate, stretch of each point.
+/// A branch of a curve: abscissa rising, ordinate, piece of each point.
 #[derive(Debug, Clone)]
 pub(super) struct Branch {
     at: Vec<f64>,
@@ -49,8 +49,8 @@ impl Branch {
         let (first, second) = (y(before)?, y(next)?);
         let (width, rise) = (to - from, second - first);
         let chord = rise / width;
-        // Slopes by parabolas through the neighbours of the same stretch; a stretch's first point ends the one before.
-        let stretch = *self.piece.get(next)?;
+        // Slopes by parabolas through the neighbours of the same piece; a piece's first point ends the one before.
+        let piece = *self.piece.get(next)?;
         let slope = |left: Option<usize>, right: Option<usize>, middle: usize| -> f64 {
             let (Some(left), Some(right)) = (left, right) else { return chord };
             let (Some(x0), Some(x1), Some(x2)) = (self.at.get(left), self.at.get(middle), self.at.get(right)) else { return chord };
@@ -58,8 +58,8 @@ impl Branch {
             let (one, two) = ((y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1));
             (one * (x2 - x1) + two * (x1 - x0)) / (x2 - x0)
         };
-        let same = |index: Option<usize>| index.filter(|index| self.piece.get(*index) == Some(&stretch));
-        let starts = self.piece.get(before) != Some(&stretch);
+        let same = |index: Option<usize>| index.filter(|index| self.piece.get(*index) == Some(&piece));
+        let starts = self.piece.get(before) != Some(&piece);
         let left = slope(if starts { None } else { before.checked_sub(1) }, Some(next), before);
         let right = slope(Some(before), same(Some(next + 1)), next);
         let part = (sought - from) / width;
@@ -74,7 +74,7 @@ mod tests {
     use super::Branch;
 
     #[test]
-    fn parabolas_are_met_within_a_stretch_both_ways() {
+    fn parabolas_are_met_within_a_piece_both_ways() {
         let at: Vec<f64> = [0.0, 0.4, 1.0, 1.3, 2.0].to_vec();
         let down: Vec<f64> = at.iter().map(|x| -x).collect();
         let y: Vec<f64> = at.iter().map(|x| 1.0 + x * x).collect();
@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn a_kink_between_stretches_stays_sharp() {
+    fn a_kink_between_pieces_stays_sharp() {
         let (at, y) = ([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 2.0, 1.0, 0.0]);
         let branch = Branch::of(&at, &[0, 0, 0, 1, 1], 0..=4);
         assert!((branch.value(&y, 1.9).unwrap() - 1.9).abs() < 1e-14);

@@ -6,7 +6,7 @@ use super::noise::noise;
 use super::other_theory::{OtherTheory, is_length_of_the_edge, sticks, words};
 use super::setup::{Offset, Role, Setup};
 use super::words::quantity;
-use crate::outcome::Verdict;
+use crate::outcome::Assessment;
 use crate::plan::Plan;
 use crate::scene::catalogue::Range;
 use crate::scene::check::{Units, number};
@@ -255,7 +255,7 @@ fn fails(fit: &Fit) -> Vec<String> {
     let rows = plan.solve(0, &[]);
     let sentence = |validity: crate::outcome::Validity| {
         let value = validity.value.map_or_else(String::new, |value| format!(" = {value:.2e}"));
-        (validity.verdict == Verdict::Caution).then(|| format!("{}{value}: {}", validity.name, validity.meaning))
+        (validity.assessment == Assessment::Caution).then(|| format!("{}{value}: {}", validity.name, validity.meaning))
     };
     plan.validity(&rows).into_iter().filter_map(sentence).collect()
 }

@@ -45,8 +45,8 @@ impl IndentationPlan {
             (at::END_FORCE, end(at::FORCE)),
             (at::END_RADIUS, end(at::CONTACT_RADIUS)),
             (at::BALANCE_DEFECT, solution.balance_defect.map(Estimate::exact)),
-            (at::STEPS, exact(solution.march.work.steps as f64)),
-            (at::PANELS, exact(solution.march.work.most_panels as f64)),
+            (at::STEPS, exact(solution.integration.work.steps as f64)),
+            (at::PANELS, exact(solution.integration.work.most_panels as f64)),
         ];
         let of_last_cycle =
             [at::FREQUENCY, at::STORAGE_STIFFNESS, at::LOSS_STIFFNESS, at::PHASE, at::DRIFT, at::SPREAD].map(|place| (place, cycle(place)));
@@ -70,12 +70,12 @@ impl IndentationPlan {
         of_point: fn(&PathPoint) -> f64,
         of_cycle: fn(&Cycle<Estimate>) -> Option<Estimate>,
     ) -> Option<Estimate> {
-        let whole = self.extreme(solution, 0..solution.march.path.len(), &solution.instants, place, of_point, 1.0);
+        let whole = self.extreme(solution, 0..solution.integration.path.len(), &solution.instants, place, of_point, 1.0);
         let cycles = solution.cycles.iter().filter_map(of_cycle).filter(|extreme| extreme.value.is_finite() && extreme.error.is_finite());
         cycles.chain(whole).max_by(|one, other| one.value.total_cmp(&other.value))
     }
 
-    /// The largest (`sign` 1) or smallest (−1) value at some points of the path and the instants among them: known as the other marches show it, and as the points
+    /// The largest (`sign` 1) or smallest (−1) value at some points of the path and the instants among them: known as the other integrations show it, and as the points
     /// beside it show.
     pub(super) fn extreme(
         &self,
@@ -86,7 +86,7 @@ impl IndentationPlan {
         of_point: fn(&PathPoint) -> f64,
         sign: f64,
     ) -> Option<Estimate> {
-        let path = &solution.march.path;
+        let path = &solution.integration.path;
         let size = |point: &PathPoint| sign * of_point(point);
         let index = points.max_by(|one, other| {
             let [one, other] = [one, other].map(|place| path.get(*place).map_or(f64::NEG_INFINITY, size));
@@ -105,7 +105,7 @@ impl IndentationPlan {
         };
         let kept = instants.iter().filter_map(|instant| self.of_instant(instant).get(place).copied().flatten());
         let kept = kept.max_by(|one, other| (sign * one.value).total_cmp(&(sign * other.value)));
-        // A point that another march does not show is the extreme, or that of the instants is.
+        // A point that another integration does not show is the extreme, or that of the instants is.
         let error = match kept {
             Some(kept) if !known.error.is_finite() => (known.value - kept.value).abs() + kept.error,
             _ => known.error + beyond.max(0.0),
@@ -120,7 +120,7 @@ impl IndentationPlan {
 /// The bound adds what the path leaves open between its points to the errors of force and penetration over the way that each goes.
 fn work_of_separation(solution: &IndentationSolution) -> Option<Estimate> {
     solution.largest_tension?;
-    let path = &solution.march.path;
+    let path = &solution.integration.path;
     let peak = path.iter().enumerate().min_by(|one, other| one.1.force.total_cmp(&other.1.force))?.0;
     let peak_time = path.get(peak)?.time;
     let lost = solution.events.iter().find(|event| is_loss(event.kind) && event.time.value >= peak_time)?;
@@ -166,7 +166,7 @@ fn largest_errors(solution: &IndentationSolution) -> [f64; 2] {
     of.map(|of| solution.instants.iter().map(of).filter(|error| error.is_finite()).fold(0.0, f64::max))
 }
 
-/// Along points with penetration, force and stretch.
+/// Along points with penetration, force and piece.
 pub(super) fn work_along(way: &[(f64, f64, u32)]) -> Along {
     let step = |from: (f64, f64, u32), to: (f64, f64, u32)| 0.5 * (from.1 + to.1) * (to.0 - from.0);
     let mut along = Along { work: 0.0, open: 0.0, force_way: 0.0, depth_way: 0.0 };
@@ -175,14 +175,14 @@ pub(super) fn work_along(way: &[(f64, f64, u32)]) -> Along {
         along.work += step(*from, *to);
         along.force_way += (to.1 - from.1).abs();
         along.depth_way += (to.0 - from.0).abs();
-        // From one stretch to the next the force may go at once, along a way that no point shows.
+        // From one piece to the next the force may go at once, along a way that no point shows.
         if from.2 != to.2 {
             along.open += 0.5 * ((to.1 - from.1) * (to.0 - from.0)).abs();
         }
     }
-    // Twice as wide steps within each smooth stretch; a step alone is known as well as the rectangle around it.
-    for stretch in way.chunk_by(|from, to| from.2 == to.2) {
-        let mut rest = stretch;
+    // Twice as wide steps within each smooth piece; a step alone is known as well as the rectangle around it.
+    for piece in way.chunk_by(|from, to| from.2 == to.2) {
+        let mut rest = piece;
         while let [from, middle, to, ..] = rest {
             along.open += (step(*from, *middle) + step(*middle, *to) - step(*from, *to)).abs();
             rest = rest.get(2..).unwrap_or(&[]);

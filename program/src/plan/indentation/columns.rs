@@ -201,7 +201,7 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         Measure::Number,
         "In the last cycle of a segment of one frequency: the largest difference among all its cycles, the first tenth left out, of work, stiffnesses and extremes, over their scales.",
     ),
-    column("steps", Measure::Number, "Of the state, and in the last instant's row: steps of the march that its numbers are from."),
+    column("steps", Measure::Number, "Of the state, and in the last instant's row: steps of the integration that its numbers are from."),
     column(
         "most_panels",
         Measure::Number,

@@ -66,10 +66,10 @@ const MOST: f64 = 1e11;
 
 /// Rows of events besides instants and cycles.
 const EVENTS: u64 = 64;
-/// Memory of a point of the path in all marches that judge each other, and of the line with its trials (bytes).
+/// Memory of a point of the path in all integrations that assess each other, and of the line with its trials (bytes).
 const POINT_OF_THE_PATH: u64 = 900;
 const LINE: u64 = 3 << 20;
-/// Memory of a cycle in all marches (bytes), and most cycles that are held.
+/// Memory of a cycle in all integrations (bytes), and most cycles that are held.
 const CYCLE_HELD: u64 = 2000;
 const MOST_CYCLES: u64 = 4096;
 /// Most points of a path that are held, as `indentation::record` has it, and points for each predicted balance.
@@ -165,7 +165,7 @@ impl IndentationPlan {
 
     /// Expected work of one state.
     pub(super) fn work_of_a_state(&self) -> Work {
-        let (balances, updates) = if self.without_steps { self.work_of_moves() } else { self.work_of_a_march() };
+        let (balances, updates) = if self.without_steps { self.work_of_moves() } else { self.work_of_an_integration() };
         let fields = self.indentation.fields.as_ref().map_or(0, |fields| u64::from(fields.points) * fields.times.len() as u64);
         Work {
             closure_evaluations: balances.min(MOST).ceil() as u64,
@@ -181,8 +181,8 @@ impl IndentationPlan {
         (balances, balances * PERIODIC_UPDATES)
     }
 
-    /// Expected balances and updates of all marches of a state.
-    fn work_of_a_march(&self) -> (f64, f64) {
+    /// Expected balances and updates of all integrations of a state.
+    fn work_of_an_integration(&self) -> (f64, f64) {
         if self.timeline.periodic {
             return self.work_of_a_periodic_state();
         }
@@ -191,7 +191,7 @@ impl IndentationPlan {
         let decades = if longest > 0.0 { (longest / shortest).log10() } else { 0.0 };
         let balances =
             (HISTORY + INSTANT * self.timeline.legs.len() as f64) * (1.0 + DECADE * decades) * (1e-3 / self.solver_accuracy).powf(ORDER);
-        // More than any march may do; a product with the states of a sweep must stay a number.
+        // More than any integration may do; a product with the states of a sweep must stay a number.
         let balances = balances.min(MOST);
         let by_load = self.timeline.legs.iter().any(|leg| matches!(leg.quantity, HistoryQuantity::Force | HistoryQuantity::Frame));
         let each = UPDATES * if by_load { LOADED } else { 1.0 };

@@ -3,7 +3,7 @@
 use super::IndentationPlan;
 use super::scale::Scale;
 use crate::plan::path_curve::PathCurve;
-use viscotack::indentation::{Event, EventKind, PathPoint, march};
+use viscotack::indentation::{Event, EventKind, PathPoint, integrate};
 use viscotack::refusal::Refusal;
 
 /// The words of the columns.
@@ -21,7 +21,7 @@ impl IndentationPlan {
         if let Some(resolved) = self.resolved()? {
             return resolved.way(tolerance);
         }
-        let trace = march(&self.material, &self.problem()?, tolerance)?;
+        let trace = integrate(&self.material, &self.problem()?, tolerance)?;
         let values = |point: [f64; 4]| row(point, self.indentation.frame_stiffness, &self.scale);
         let of_point = |point: &PathPoint| values([point.time, point.penetration, point.force, point.contact_radius]);
         let rows: Vec<Vec<f64>> = trace.path.iter().map(of_point).collect();

@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_PI_4;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Cycle, IndentationSolution, PathPoint};
 
-/// Most rows of cycles that one state has; of more, evenly chosen ones, first and last of each stretch among them.
+/// Most rows of cycles that one state has; of more, evenly chosen ones, first and last of each piece among them.
 pub(super) const MOST_ROWS: usize = 2000;
 /// Fewer instants than these draw no cycle, and none is one.
 const INSTANTS_PER_CYCLE: f64 = 12.0;
@@ -24,17 +24,17 @@ impl IndentationPlan {
         if solution.cycles.len() <= MOST_ROWS {
             return solution.cycles.iter().collect();
         }
-        let stretches: Vec<Vec<&Cycle<Estimate>>> =
-            solution.cycles.chunk_by(|one, other| one.segment == other.segment).map(|stretch| stretch.iter().collect()).collect();
-        // Short stretches leave their share to long ones.
-        let mut lengths: Vec<usize> = stretches.iter().map(Vec::len).collect();
+        let segments: Vec<Vec<&Cycle<Estimate>>> =
+            solution.cycles.chunk_by(|one, other| one.segment == other.segment).map(|cycles| cycles.iter().collect()).collect();
+        // Short pieces leave their share to long ones.
+        let mut lengths: Vec<usize> = segments.iter().map(Vec::len).collect();
         lengths.sort_unstable();
         let (mut left, mut share) = (MOST_ROWS, 0);
         for (index, length) in lengths.iter().enumerate() {
             share = left / (lengths.len() - index);
             left -= share.min(*length);
         }
-        stretches.into_iter().flat_map(|stretch| thinned(stretch, share.max(2))).collect()
+        segments.into_iter().flat_map(|cycles| thinned(cycles, share.max(2))).collect()
     }
 
     /// Points of the path that are instants, evenly in time: all through an oscillation for which the scene asks for enough of them, else in its
@@ -45,14 +45,14 @@ impl IndentationPlan {
             return Vec::new();
         }
         let mut found = Vec::new();
-        for stretch in solution.cycles.chunk_by(|one, other| one.segment == other.segment) {
-            let (Some(first), Some(last)) = (stretch.first(), stretch.last()) else { continue };
+        for cycles in solution.cycles.chunk_by(|one, other| one.segment == other.segment) {
+            let (Some(first), Some(last)) = (cycles.first(), cycles.last()) else { continue };
             let all = instants >= INSTANTS_PER_CYCLE * last.number as f64;
             // What follows the last whole cycle belongs to all.
             let end = solution.instants.iter().map(|instant| instant.time).find(|time| *time >= last.end).unwrap_or(last.end);
             let (from, to) = if all { (first.start, end) } else { (last.start, last.end) };
             let mut next = from;
-            for (index, point) in solution.march.path.iter().enumerate().filter(|(_, point)| point.time >= from && point.time < to) {
+            for (index, point) in solution.integration.path.iter().enumerate().filter(|(_, point)| point.time >= from && point.time < to) {
                 if point.time >= next {
                     found.push((index, point));
                     next = point.time.max(next + (to - from) / instants);
@@ -66,7 +66,7 @@ impl IndentationPlan {
         let mut values: Values = vec![None; COLUMNS.len()];
         let segment = self.timeline.legs.get(cycle.segment).map_or(0, |leg| leg.segment);
         let exact = |value: f64| Some(Estimate::exact(value));
-        let spread = solution.march.spreads.iter().find(|spread| (spread.segment, spread.cycles[1]) == (cycle.segment, cycle.number));
+        let spread = solution.integration.spreads.iter().find(|spread| (spread.segment, spread.cycles[1]) == (cycle.segment, cycle.number));
         // What is not known of the quantities of cycles, over their scales: a difference of two has it twice, and a drift carries that on.
         let unknown = solution.cycles.iter().filter(|other| other.segment == cycle.segment).map(relative_error).fold(0.0, f64::max);
         let longest = self.material.longest_relaxation_time().unwrap_or(0.0);
@@ -93,7 +93,7 @@ impl IndentationPlan {
         ];
         for (place, estimate) in cells {
             if let Some(cell) = values.get_mut(place) {
-                // What does not exist, such as the stiffness of a contact that is open, is an empty cell. A cycle that one march has and the
+                // What does not exist, such as the stiffness of a contact that is open, is an empty cell. A cycle that one integration has and the
                 // other has not is not known better than the whole.
                 let bound = |estimate: Estimate| estimate.value.abs().max(scales.get(place).copied().unwrap_or(0.0));
                 *cell = estimate

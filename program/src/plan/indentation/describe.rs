@@ -112,12 +112,12 @@ impl IndentationPlan {
         let mut sentences = vec![
             "the contact is carried to a line on which every place is a spring chain of its own: no mesh of the body, no matrix (Sneddon's transform)".to_owned(),
         ];
-        let marched = !self.without_steps;
-        if marched {
+        let integrated = !self.without_steps;
+        if integrated {
             sentences
                 .push("each step of time is exact for an edge and a penetration that move straight, for any number of terms".to_owned());
         }
-        if self.flow.is_some() && marched {
+        if self.flow.is_some() && integrated {
             sentences
                 .push("the liquid flows by an element whose retardation time is 1e8 histories: what that changes is in the bounds".into());
         }
@@ -137,7 +137,7 @@ impl IndentationPlan {
                 "without adhesion the load vanishes at the edge: Lee and Radok's contact advancing, Ting's and Graham's receding"
                     .to_owned(),
             );
-            if !marched {
+            if !integrated {
                 sentences.push(
                     "every place knows when the edge passes it, as a root of its own: exact for any number of terms and turns, without steps in time"
                         .to_owned(),
@@ -147,8 +147,8 @@ impl IndentationPlan {
         if self.timeline.oscillates() {
             let followed = if self.timeline.periodic {
                 "one cycle repeats itself for ever: every chain is closed over it, and the path of the edge is the one that a cycle leads back to (Anderson)"
-            } else if marched {
-                "every cycle of an oscillation is marched"
+            } else if integrated {
+                "every cycle of an oscillation is integrated"
             } else {
                 "cycles of an oscillation are followed until each repeats the last one"
             };
@@ -157,7 +157,7 @@ impl IndentationPlan {
         sentences.push(
             if self.timeline.periodic {
                 "errors by a second path, of other steps, and by two cycles integrated from the one that was found"
-            } else if marched {
+            } else if integrated {
                 "errors: the same history again with other steps"
             } else {
                 "errors by a second, coarser solution"

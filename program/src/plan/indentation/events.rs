@@ -52,7 +52,7 @@ impl IndentationPlan {
             }
             let within = |time: f64| time >= ended.began && time <= ended.time;
             let lost = solution.events.iter().rfind(|event| within(event.time.value)).map(|event| event.time);
-            let path = &solution.march.path;
+            let path = &solution.integration.path;
             let states: Vec<State<f64>> = path.iter().filter(|point| point.time <= ended.time).map(state_of).collect();
             let closed = || {
                 let touches = states.iter().rposition(|state| state.contact_radius > 0.0)?;
@@ -74,7 +74,7 @@ impl IndentationPlan {
     }
 
     pub(super) fn of_event(&self, event: &Event<Estimate>, scales: &[f64]) -> Values {
-        // An event that one march has and the other has not: its place is not known better than the whole.
+        // An event that one integration has and the other has not: its place is not known better than the whole.
         let known = |estimate: Estimate, place: usize| {
             let scale = scales.get(place).copied().unwrap_or(0.0).max(estimate.value.abs());
             Estimate::new(estimate.value, estimate.error.min(scale))
@@ -107,7 +107,7 @@ impl IndentationPlan {
     pub(super) fn of_largest_tension(&self, solution: &IndentationSolution, scales: &[f64]) -> Option<Values> {
         let tension = solution.largest_tension?;
         let mut values = self.of_event(&tension, scales);
-        let as_large = as_large_tensions(&solution.march.path, &tension);
+        let as_large = as_large_tensions(&solution.integration.path, &tension);
         type Of = fn(&PathPoint) -> f64;
         let quantities: [(usize, Of); 4] = [
             (at::TIME, |point| point.time),
@@ -155,7 +155,7 @@ fn late_energies(values: &mut Values, path: &[PathPoint], shift: &Shift) {
 /// Whether the contact holds at the end, and no tension was larger than that there, as far as is known.
 pub(super) fn is_held_at_its_end(solution: &IndentationSolution) -> bool {
     let pulls = |(last, tension): (&PathPoint, Estimate)| last.contact_radius > 0.0 && -last.force >= tension.value - 2.0 * tension.error;
-    solution.march.path.last().zip(solution.pull_off_force()).is_some_and(pulls)
+    solution.integration.path.last().zip(solution.pull_off_force()).is_some_and(pulls)
 }
 
 /// Part of the largest tension below which a difference of tensions is rounding of the edge condition.
@@ -167,11 +167,11 @@ fn as_large_tensions<'p>(path: &'p [PathPoint], tension: &Event<Estimate>) -> Ve
     let pulls = |point: &PathPoint, less: f64| point.contact_radius > 0.0 && -point.force >= largest - less;
     let above = |point: &PathPoint| pulls(point, 2.0 * unknown);
     let (mut found, mut passed) = (Vec::new(), 0);
-    for stretch in path.chunk_by(|one, other| above(one) == above(other)) {
-        let (before, after) = (path.get(passed.max(1) - 1), path.get(passed + stretch.len()).or(stretch.last()));
-        passed += stretch.len();
+    for piece in path.chunk_by(|one, other| above(one) == above(other)) {
+        let (before, after) = (path.get(passed.max(1) - 1), path.get(passed + piece.len()).or(piece.last()));
+        passed += piece.len();
         let holds_it = before.zip(after).is_some_and(|(from, to)| (from.time..=to.time).contains(&tension.time.value));
-        found.extend(stretch.iter().filter(|point| above(point) && (!holds_it || pulls(point, ALIKE * largest))));
+        found.extend(piece.iter().filter(|point| above(point) && (!holds_it || pulls(point, ALIKE * largest))));
     }
     found
 }

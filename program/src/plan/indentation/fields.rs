@@ -1,4 +1,4 @@
-//! Pressure and surface displacement at chosen times: a march is walked again along its own path, thinned; a history without steps, or by
+//! Pressure and surface displacement at chosen times: an integration is walked again along its own path, thinned; a history without steps, or by
 //! panels, is solved again up to each.
 
 use super::IndentationPlan;
@@ -27,7 +27,7 @@ pub(super) struct FieldRow {
 
 impl IndentationPlan {
     pub(super) fn fields_of(&self, solution: &IndentationSolution, wanted: &IndentationFields) -> Result<Vec<FieldRow>, Refusal> {
-        let path = &solution.march.path;
+        let path = &solution.integration.path;
         let end = path.last().map_or(0.0, |point| point.time);
         let problem = self.problem()?;
         let states: Vec<(PathPoint, [SurfaceFields; 2], f64)> = wanted
@@ -68,7 +68,7 @@ impl IndentationPlan {
             Start::Untouched => Contact::untouched(springs, profile, first.contact_radius, first.penetration)?,
         };
         let steps = path.partition_point(|point| point.time <= time).max(1);
-        // Fewer moves than steps leave steps out, of one stretch; more moves cut them.
+        // Fewer moves than steps leave steps out, of one piece; more moves cut them.
         let (stride, cuts) = (steps.div_ceil(moves).max(1), (moves / steps).max(1));
         let mut index = 0;
         while let Some(here) = path.get(index).filter(|here| here.time < time || path.get(index + 1).is_some_and(|next| next.time <= time))
@@ -143,10 +143,10 @@ impl IndentationPlan {
 }
 
 fn no_path() -> Refusal {
-    Refusal::NotConverged { what: "the march", detail: "it has no path".into() }
+    Refusal::NotConverged { what: "the integration", detail: "it has no path".into() }
 }
 
-/// a and Δ within the step that begins at a place of the path: the polynomial in time through the nearest points of the same stretch.
+/// a and Δ within the step that begins at a place of the path: the polynomial in time through the nearest points of the same piece.
 fn between(path: &[PathPoint], index: usize, time: f64) -> [f64; 2] {
     let Some((here, next)) = path.get(index).zip(path.get(index + 1)) else { return [0.0; 2] };
     let straight = || {
@@ -154,7 +154,7 @@ fn between(path: &[PathPoint], index: usize, time: f64) -> [f64; 2] {
         let on = |from: f64, to: f64| from + (to - from) * part;
         [on(here.contact_radius, next.contact_radius), on(here.penetration, next.penetration)]
     };
-    // The first point of the next stretch ends this one.
+    // The first point of the next piece ends this one.
     let own = |place: usize| path.get(place).filter(|point| point.piece == here.piece || (place == index + 1));
     let mut near: Vec<&PathPoint> = (index.saturating_sub(2)..=index + 3).filter_map(own).collect();
     near.dedup_by(|second, first| second.time <= first.time);

@@ -10,7 +10,7 @@ use crate::plan::maps::Answer;
 use crate::scene::typed::{HistoryQuantity, IndentationShape, Scene, Units};
 use viscotack::elastic::JkrSphere;
 
-/// Most states that one figure tells apart.
+/// Most states that one figure distinguishes.
 const MOST_STATES: usize = 7;
 /// Events after which there is no contact.
 const LOSSES: [&str; 2] = ["detachment", "zone_reached"];
@@ -71,7 +71,7 @@ impl IndentationPlan {
         figures
     }
 
-    /// States with values, in order, not more than a legend can tell apart.
+    /// States with values, in order, not more than a legend can distinguish.
     fn states<'a>(&self, scene: &Scene, rows: &'a [Row]) -> Vec<State<'a>> {
         let mut numbers: Vec<usize> = rows.iter().filter(|row| row.status.has_values()).map(|row| row.state).collect();
         numbers.dedup();

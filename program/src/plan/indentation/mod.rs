@@ -14,8 +14,8 @@ mod figures;
 mod finite;
 mod known;
 mod locate;
-mod march;
 mod parts;
+mod problem;
 mod protocol;
 mod remarks;
 mod repetitions;
@@ -40,7 +40,7 @@ use known::Known;
 use scale::Scale;
 use timeline::Timeline;
 use viscotack::indentation::Profile;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// An indenter in time, ready to be solved.
@@ -48,7 +48,7 @@ use viscotack::refusal::Refusal;
 pub(super) struct IndentationPlan {
     indentation: Indentation,
     /// In moduli E* = E/(1 − ν²).
-    material: Material,
+    material: PlaneMaterial,
     /// E0*.
     relaxed: f64,
     /// η* of a liquid. With adhesion its flow is an element of a retardation time of [`LONG`] histories.
@@ -98,7 +98,7 @@ impl IndentationPlan {
             solver_accuracy: scene.accuracy * if timeline.searches() { parts::WITH_CONDITIONS } else { 1.0 },
             timeline,
             examples: examples(scene, indentation, &scale),
-            profile: march::profile(indentation)?,
+            profile: problem::profile(indentation)?,
             without_steps: false,
             called_for: finite::beside_an_edge(scene, indentation),
         };
@@ -140,7 +140,7 @@ fn liquid_is_possible(indentation: &Indentation, zone: IndentationZone) -> Resul
     }
 }
 
-/// Values of a swept frequency that the cost of a sweep is judged by.
+/// Values of a swept frequency that the cost of a sweep is assessed by.
 const EXAMPLES: usize = 7;
 
 fn examples(scene: &Scene, indentation: &Indentation, scale: &Scale) -> Vec<Timeline> {
@@ -265,7 +265,7 @@ impl ProblemPlan for IndentationPlan {
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        self.verdicts(rows)
+        self.assessments(rows)
     }
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {

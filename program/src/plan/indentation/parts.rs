@@ -8,7 +8,7 @@ use super::scale::Scale;
 use super::timeline::Timeline;
 use crate::scene::typed::Indentation;
 use viscotack::estimate::Estimate;
-use viscotack::indentation::{PathPoint, Trace, march, run_watched};
+use viscotack::indentation::{PathPoint, Trace, integrate, run_watched};
 use viscotack::refusal::Refusal;
 
 /// Accuracy of a history with conditions, over that of the scene: the time of a condition is known as well as the quantity is.
@@ -38,7 +38,7 @@ impl Followed for IndentationPlan {
     }
 
     fn search(&self, tolerance: f64) -> Result<Way, Refusal> {
-        let trace = march(&self.material, &self.problem()?, tolerance)?;
+        let trace = integrate(&self.material, &self.problem()?, tolerance)?;
         let losses = if self.indentation.adhesion.is_some() {
             trace.events.iter().filter(|event| is_loss(event.kind)).map(|event| event.time).collect()
         } else {

@@ -17,8 +17,8 @@ const EXTERNAL_WORK: usize = 2;
 impl IndentationPlan {
     /// The history as a test, with the states between its legs.
     pub(super) fn protocol(&self, solution: &IndentationSolution) -> Protocol<'_> {
-        let path = &solution.march.path;
-        let states = solution.march.kept.iter().map(|place| path.get(*place).map(state_of)).collect();
+        let path = &solution.integration.path;
+        let states = solution.integration.kept.iter().map(|place| path.get(*place).map(state_of)).collect();
         let compliance = self.indentation.frame_stiffness.map_or(0.0, |stiffness| 1.0 / (stiffness * self.scale.force));
         Protocol::new(&self.timeline, &self.indentation.history, states, compliance)
     }
@@ -34,9 +34,9 @@ impl IndentationPlan {
         let ends = [repetition.legs.start, repetition.legs.end];
         let [from, to] = ends.map(|end| solution.instants.get(end));
         let (from, to) = from.zip(to)?;
-        let [first, last] = ends.map(|end| solution.march.kept.get(end).copied());
+        let [first, last] = ends.map(|end| solution.integration.kept.get(end).copied());
         let (first, last) = first.zip(last)?;
-        let way = solution.march.path.get(first..=last)?;
+        let way = solution.integration.path.get(first..=last)?;
         let work = match (from.energies, to.energies) {
             (Some(before), Some(after)) => {
                 let [before, after] = [before, after].map(|energies| energies[EXTERNAL_WORK]);

@@ -76,9 +76,10 @@ impl IndentationPlan {
             let mut values = self.of_instant(instant);
             if index == last {
                 let count = |number: u64| Some(Estimate::exact(number as f64));
-                let [steps, panels] = [solution.march.work.steps, solution.march.work.most_panels].map(count);
-                let told = [(at::BALANCE_DEFECT, solution.balance_defect.map(Estimate::exact)), (at::STEPS, steps), (at::PANELS, panels)];
-                for (place, value) in told {
+                let [steps, panels] = [solution.integration.work.steps, solution.integration.work.most_panels].map(count);
+                let reported =
+                    [(at::BALANCE_DEFECT, solution.balance_defect.map(Estimate::exact)), (at::STEPS, steps), (at::PANELS, panels)];
+                for (place, value) in reported {
                     if let Some(cell) = values.get_mut(place) {
                         *cell = value;
                     }
@@ -147,7 +148,7 @@ impl IndentationPlan {
                 *scale = scale.max(value.map_or(0.0, |value| value.value.abs()));
             }
         }
-        // As the accuracy of the march is over the largest force.
+        // As the accuracy of the integration is over the largest force.
         let force = scales.get(at::FORCE).copied().unwrap_or(0.0).max(solution.pull_off_force().map_or(0.0, |tension| tension.value));
         let mut at_least = |place: usize, least: f64| {
             if let Some(scale) = scales.get_mut(place) {
@@ -171,7 +172,7 @@ impl IndentationPlan {
                 *scale = release;
             }
         }
-        // Energies turn into each other: all are judged by the largest.
+        // Energies turn into each other: all are assessed by the largest.
         let energy = [at::STORED_ENERGY, at::EXTERNAL_WORK, at::DISSIPATED_ENERGY]
             .iter()
             .filter_map(|&place| scales.get(place))
@@ -252,7 +253,7 @@ impl IndentationPlan {
             let within = |(error, column): (&f64, &usize)| *error <= self.solver_accuracy * scales.get(*column).copied().unwrap_or(0.0);
             errors.is_some_and(|errors| errors.iter().zip(columns).all(within))
         };
-        let path = || solution.march.path.iter().enumerate();
+        let path = || solution.integration.path.iter().enumerate();
         let inside = |&(from, to): &(f64, f64)| {
             let points: Vec<_> = path().filter(|(_, point)| point.time > from && point.time < to).filter(known).collect();
             thinned(points, self.indentation.instants as usize)
@@ -260,7 +261,8 @@ impl IndentationPlan {
         self.timeline.open_ramps.iter().flat_map(inside).chain(self.in_oscillations(solution).into_iter().filter(known)).collect()
     }
 
-    /// A point between two kept instants, known as the other marches show it and no better than the worse of both: there a quantity may be imposed, and have no error.
+    /// A point between two kept instants, known as the other integrations show it and no better than the worse of both: there a quantity may be imposed, and have no
+    /// error.
     pub(super) fn of_path_point(&self, solution: &IndentationSolution, index: usize, point: &PathPoint) -> Values {
         let after = solution.instants.partition_point(|instant| instant.time < point.time).min(solution.instants.len().saturating_sub(1));
         let own = solution.path_errors.get(index).copied().unwrap_or([f64::INFINITY; 4]);
@@ -288,9 +290,9 @@ impl IndentationPlan {
 
     /// Puts coherent values into a row in the units of the scene, with its certificate; flags a row whose bounds are too wide.
     fn fill(&self, row: &mut Row, values: Values, scales: &[f64], residual: f64, solution: &IndentationSolution) -> Result<(), Refusal> {
-        // When and where the tension is largest is a matter of how flat the curve is; only the tension itself is judged.
-        // G divides by the speed of the edge: beside a turn it is known as its bar says, and no better. Drift and spread are what is left between cycles.
-        let judged = |place: usize| {
+        // When and where the tension is largest is a matter of how flat the curve is; only the tension itself is assessed.
+        // G divides by the speed of the edge: beside a turn it is known as its bound says, and no better. Drift and spread are what is left between cycles.
+        let assessed = |place: usize| {
             row.label(0) != REPETITION
                 && (row.label(1) != LARGEST_TENSION || matches!(place, at::FORCE | at::PULL_OFF_RATIO))
                 && !matches!(place, at::ENERGY_RELEASE_RATE | at::DRIFT | at::SPREAD)
@@ -298,7 +300,7 @@ impl IndentationPlan {
         let shortfall = COLUMNS.iter().zip(&values).zip(scales).enumerate().find_map(|(place, ((definition, value), scale))| {
             let estimate = (*value)?;
             let size = estimate.value.abs().max(*scale);
-            (judged(place) && estimate.error > self.accuracy * size).then(|| (definition.name, estimate.error / size))
+            (assessed(place) && estimate.error > self.accuracy * size).then(|| (definition.name, estimate.error / size))
         });
         if let Some((name, error)) = shortfall {
             row.status = Status::Inaccurate;
@@ -322,7 +324,7 @@ impl IndentationPlan {
             ("smallest stress intensity", solution.smallest_stress_intensity_factor, intensity, self.indentation.adhesion.is_some()),
         ]
         .into_iter()
-        .find(|(_, least, scale, judged)| *judged && (least.is_nan() || *least < -ADMISSIBLE * scale));
+        .find(|(_, least, scale, assessed)| *assessed && (least.is_nan() || *least < -ADMISSIBLE * scale));
         row.certificate = Some(Certificate { residual, condition: 1.0, admissible: violated.is_none() });
         row.witness = violated.map(|(name, value, ..)| Witness { name: name.into(), value });
     }

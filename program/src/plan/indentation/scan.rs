@@ -2,7 +2,7 @@
 
 use super::IndentationPlan;
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
-use crate::outcome::{Validity, Verdict};
+use crate::outcome::{Assessment, Validity};
 use crate::plan::curves::thinned;
 use crate::plan::measured::note;
 use crate::scene::typed::{IndentationShape, MeasuredShape, Units};
@@ -31,7 +31,7 @@ impl IndentationPlan {
             entries.push(Validity {
                 name: "scan against its shape, over the height".into(),
                 value: Some(share),
-                verdict: if share <= LARGE { Verdict::Good } else { Verdict::Caution },
+                assessment: if share <= LARGE { Assessment::Good } else { Assessment::Caution },
                 meaning: self.statement(measured, scan),
             });
         }

@@ -11,7 +11,7 @@ use viscotack::finite_range::sphere::SUM_OF_DURATIONS;
 use viscotack::indentation::{FrequencySweep, Oscillation};
 use viscotack::refusal::Refusal;
 
-/// More legs than these are no history that a march could follow.
+/// More legs than these are no history that an integration could follow.
 const MOST_LEGS: usize = 100_000;
 /// Decades over which half of the instants of a hold are spread: what relaxes does so in all of them.
 const DECADES_OF_A_HOLD: f64 = 6.0;
@@ -40,7 +40,7 @@ impl Leg {
 pub(super) struct Overlay {
     /// When its first row is.
     pub(super) start: f64,
-    /// Times of the table over the time of the march.
+    /// Times of the table over the time of the integration.
     pub(super) speed_factor: f64,
     pub(super) table: Arc<MeasuredTable>,
 }
@@ -52,7 +52,7 @@ pub(super) struct Timeline {
     pub(super) start: (HistoryQuantity, f64),
     pub(super) legs: Vec<Leg>,
     pub(super) overlays: Vec<Overlay>,
-    /// Ramps that begin where only the march knows, in times: their instants are taken from its path.
+    /// Ramps that begin where only the integration knows, in times: their instants are taken from its path.
     pub(super) open_ramps: Vec<(f64, f64)>,
     /// What only a solution knows, the first first: until it is known, durations are guesses.
     pub(super) open: Vec<Open>,

@@ -1,9 +1,9 @@
-//! Where the model of an indentation may be doubted.
+//! Where the model of an indentation may fail.
 
 use super::IndentationPlan;
 use super::columns::{at, position};
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
+use crate::plan::assumptions::{Assumption, Limit, assessed, constant_poisson_ratio, not_assessed};
 use crate::plan::measured::records;
 use crate::scene::typed::{IndentationShape, IndentationZone, Units};
 use viscotack::elastic::TaborNumber;
@@ -56,9 +56,9 @@ impl IndentationPlan {
         }
     }
 
-    /// The numbers that the assumptions are judged by, for one row.
+    /// The numbers that the assumptions are assessed by, for one row.
     pub(super) fn assumptions(&self, row: &Row) -> Vec<Option<f64>> {
-        // A cycle is judged by its extremes.
+        // A cycle is assessed by its extremes.
         let of_cycle = |column: usize| position(&self.indentation, column).and_then(|place| row.value(place));
         let held = |radius: &f64| *radius > 0.0;
         let radius = row.value(at::CONTACT_RADIUS).or_else(|| of_cycle(at::LARGEST_CONTACT_RADIUS)).filter(held);
@@ -105,13 +105,13 @@ impl IndentationPlan {
         ]
     }
 
-    pub(super) fn verdicts(&self, rows: &[Row]) -> Vec<Validity> {
-        let mut entries = judged(&ASSUMPTIONS, rows);
+    pub(super) fn assessments(&self, rows: &[Row]) -> Vec<Validity> {
+        let mut entries = assessed(&ASSUMPTIONS, rows);
         if self.indentation.adhesion.is_some_and(|adhesion| adhesion.interaction_range.is_none()) {
-            entries.push(not_judged("Tabor number", None, "give adhesion.interaction_range to have it assessed"));
+            entries.push(not_assessed("Tabor number", None, "give adhesion.interaction_range to have it assessed"));
         }
         if self.indentation.edge_law.by_speed.as_ref().is_some_and(|law| law.ends().is_some()) {
-            entries.push(not_judged(
+            entries.push(not_assessed(
                 "speed of the edge within the table of works",
                 None,
                 "an edge rests, creeps and jumps: beyond the table its ends are held",
@@ -120,7 +120,7 @@ impl IndentationPlan {
         entries.extend(self.of_the_scan());
         entries.extend(records(&self.indentation.history, self.accuracy));
         entries.extend(constant_poisson_ratio(self.poisson_ratio));
-        entries.push(not_judged(
+        entries.push(not_assessed(
             "no friction, inertia or heat",
             None,
             "left out: no shear stress at the interface, speeds far below the shear-wave speed, an isothermal edge",

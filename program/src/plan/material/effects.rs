@@ -1,6 +1,6 @@
 //! What a scene's plan says of its material.
 
-use crate::outcome::{Effect, Validity, Verdict};
+use crate::outcome::{Assessment, Effect, Validity};
 use crate::scene::typed::{MaterialOrigin, SceneMaterial};
 
 /// The material's effects: where its terms come from, and its temperature.
@@ -76,14 +76,14 @@ pub(in crate::plan) fn effects(material: &SceneMaterial) -> Vec<Effect> {
     effects
 }
 
-/// What is doubtful about the material.
+/// What may be wrong with the material.
 pub(in crate::plan) fn validity(material: &SceneMaterial, visited: Option<[f64; 2]>) -> Vec<Validity> {
     let caution =
-        |name: &str, value: Option<f64>, meaning: String| Validity { name: name.into(), value, verdict: Verdict::Caution, meaning };
+        |name: &str, value: Option<f64>, meaning: String| Validity { name: name.into(), value, assessment: Assessment::Caution, meaning };
     let mut entries: Vec<Validity> = material
         .notes
         .iter()
-        .map(|note| Validity { name: "reading of a table".into(), value: None, verdict: Verdict::Good, meaning: note.clone() })
+        .map(|note| Validity { name: "reading of a table".into(), value: None, assessment: Assessment::Good, meaning: note.clone() })
         .collect();
     entries.extend(material.cautions.iter().map(|text| caution("material", None, text.clone())));
     entries.extend(match &material.origin {
@@ -91,13 +91,13 @@ pub(in crate::plan) fn validity(material: &SceneMaterial, visited: Option<[f64; 
         MaterialOrigin::Deck(deck) => deck
             .notes
             .iter()
-            .map(|note| Validity { name: "deck of the material".into(), value: None, verdict: Verdict::NotJudged, meaning: note.clone() })
+            .map(|note| Validity { name: "deck of the material".into(), value: None, assessment: Assessment::NotAssessed, meaning: note.clone() })
             .collect(),
         MaterialOrigin::Data(fitted) => {
             let mut entries = vec![Validity {
                 name: "fit of the material".into(),
                 value: Some(fitted.fit.rms_error),
-                verdict: if fitted.warnings.is_empty() { Verdict::Good } else { Verdict::Caution },
+                assessment: if fitted.warnings.is_empty() { Assessment::Good } else { Assessment::Caution },
                 meaning: "relative misfit of the series to its data (root mean square)".into(),
             }];
             entries.extend(fitted.warnings.iter().map(|warning| caution("material data", None, warning.clone())));
@@ -107,7 +107,7 @@ pub(in crate::plan) fn validity(material: &SceneMaterial, visited: Option<[f64; 
             let mut entries = vec![Validity {
                 name: "expansion of the material".into(),
                 value: Some(law.expansion.error),
-                verdict: if law.expansion.met { Verdict::Good } else { Verdict::Caution },
+                assessment: if law.expansion.met { Assessment::Good } else { Assessment::Caution },
                 meaning: format!("largest relative error of the complex modulus; wanted {:.0e}", law.accuracy),
             }];
             // The temperature moves the range with the material; an open end is kept by both limits of the law.

@@ -33,7 +33,7 @@ fn expanded(law: &BroadLaw, range: [f64; 2], accuracy: f64) -> Option<Expansion>
 const MARGIN: f64 = 10.0;
 
 /// The scene with its law expanded as far as the visited times reach; none if it is already, or the scene names the range, or none can be made so
-/// wide: its verdict then says so.
+/// wide: its assessment then says so.
 pub(in crate::plan) fn widened(scene: &Scene, visited: Option<[f64; 2]>) -> Option<Scene> {
     let MaterialOrigin::Law(law) = &scene.material.origin else { return None };
     let [from, to] = visited?;

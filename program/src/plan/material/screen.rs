@@ -97,9 +97,11 @@ pub fn screen(report: &MaterialReport) -> String {
     if let Some(solid) = &material.isotropic {
         let solid = &solid.at_temperature;
         let [glassy, relaxed] = solid.poisson_ratios();
-        for (name, series) in
-            [("shear modulus G  ", solid.shear()), ("bulk modulus K   ", solid.bulk()), ("plane modulus E* ", solid.plane_strain())]
-        {
+        for (name, series) in [
+            ("shear modulus G  ", solid.shear()),
+            ("bulk modulus K   ", solid.bulk()),
+            ("plane modulus E* ", solid.plane_strain().as_material()),
+        ] {
             let _ = writeln!(
                 text,
                 "{name}    {:.6e} {pressure} at once, {:.6e} {pressure} in the end",
@@ -249,7 +251,7 @@ pub fn summary(report: &MaterialReport) -> Value {
             json!({
                 "shear": moduli(solid.shear()),
                 "bulk": moduli(solid.bulk()),
-                "plane_strain": moduli(solid.plane_strain()),
+                "plane_strain": moduli(solid.plane_strain().as_material()),
                 "poisson_ratio": solid.poisson_ratios(),
             })
         }),

@@ -1,8 +1,8 @@
-//! The plots of branches, stable parts and others told apart, turns marked; and of strengths.
+//! The plots of branches, stable parts and others distinguished, turns marked; and of strengths.
 
 use super::SlidingPlan;
-use super::apart::ISOLA;
 use super::columns::{at, place_of, strength};
+use super::isolated::ISOLA;
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
 use crate::plan::curves::{Kind, Ordinate, families, figure, innermost, shade, swept_label, thinned, thinning, value};
@@ -103,14 +103,14 @@ impl SlidingPlan {
 
     /// How a row holds; none at a turn.
     fn held(&self, branch: &SlidingBranch, row: &Row) -> Option<Held> {
-        let told = |name: &str| row.value(place_of(&self.sliding, name)).map(|flag| flag > 0.5);
-        let by_penetration = || told("stable_under_penetration");
+        let flag = |name: &str| row.value(place_of(&self.sliding, name)).map(|flag| flag > 0.5);
+        let by_penetration = || flag("stable_under_penetration");
         if !branch.parameter.is_load() {
             let held =
-                if matches!(self.sliding.control, SlidingLoad::Penetration(_)) { by_penetration() } else { told("stable_under_load") };
+                if matches!(self.sliding.control, SlidingLoad::Penetration(_)) { by_penetration() } else { flag("stable_under_load") };
             return held.map(|stable| if stable { Held::Stable } else { Held::Unstable });
         }
-        match (told("stable_under_load")?, self.is_wave()) {
+        match (flag("stable_under_load")?, self.is_wave()) {
             (true, _) => Some(Held::Stable),
             (false, false) => Some(Held::Unstable),
             (false, true) => by_penetration().map(|stable| if stable { Held::ByPenetration } else { Held::Unstable }),

@@ -53,7 +53,7 @@ impl SlidingPlan {
         if !self.is_wave() {
             reduced.truncate(super::columns::at::PENETRATION);
         }
-        let flag = |told: Option<bool>| told.map(|told| Estimate::exact(f64::from(u8::from(told))));
+        let flag = |reported: Option<bool>| reported.map(|reported| Estimate::exact(f64::from(u8::from(reported))));
         reduced.extend([Some(Estimate::exact(number as f64)), Some(found.reduced_works[0]), flag(found.under_load)]);
         if self.is_wave() {
             reduced.push(flag(found.under_penetration));

@@ -21,7 +21,7 @@ const MOST_POINTS: usize = 10_000;
 
 /// What a row of a branch is.
 pub(super) struct Item {
-    /// Which branch: of one curve the word is "whole", of the parts of it within a range "first" and so on; of several see [`super::apart`].
+    /// Which branch: of one curve the word is "whole", of the parts of it within a range "first" and so on; of several see [`super::isolated`].
     pub(super) branch: Cow<'static, str>,
     /// The turn or the state that it is; empty for a point.
     pub(super) event: &'static str,
@@ -185,15 +185,15 @@ impl SlidingPlan {
             let (rate, reduced_works, factor) = conditions(problem, parameter);
             let zones = [problem.adhesion.trailing_zone, problem.adhesion.leading_zone]
                 .map(|zone| Estimate::new(zone * factor.value, zone * factor.error));
-            let told = |of: &dyn Fn(&SecondVariations) -> Stability| variations.and_then(|variations| stable(of(variations)));
+            let reported = |of: &dyn Fn(&SecondVariations) -> Stability| variations.and_then(|variations| stable(of(variations)));
             Found {
                 values,
                 rate,
                 reduced_works,
                 zones,
-                under_load: told(&SecondVariations::under_load),
-                under_penetration: told(&SecondVariations::under_penetration),
-                in_frame: stiffness.and_then(|stiffness| told(&|variations| variations.in_frame(stiffness))),
+                under_load: reported(&SecondVariations::under_load),
+                under_penetration: reported(&SecondVariations::under_penetration),
+                in_frame: stiffness.and_then(|stiffness| reported(&|variations| variations.in_frame(stiffness))),
                 residual,
             }
         };
@@ -258,7 +258,7 @@ impl SlidingPlan {
         }
     }
 
-    /// The branch of every load at the scene's speed, whose turns are what the contact bears.
+    /// The branch of every load at the scene's speed, whose turns are what the contact carries.
     pub(super) fn every_load(&self) -> Result<BranchProblem<'_>, Refusal> {
         self.branch_problem(None, None)
     }

@@ -21,7 +21,7 @@ pub(super) enum Measure {
     Adhesion,
     Modulus,
     Number,
-    /// A quotient of outputs: as accurate as they are, which its own bar tells.
+    /// A quotient of outputs: as accurate as they are, which its own bound tells.
     Ratio,
 }
 
@@ -145,7 +145,7 @@ static OTHERS: Definition = column(
 /// Positions of the stabilities among the columns of a branch.
 const STABILITIES: usize = 2;
 
-/// What a contact bears; those of the penetration are of a wave.
+/// What a contact carries; those of the penetration are of a wave.
 static STRENGTH_COLUMNS: [Definition; 14] = [
     column("speed", Measure::Speed, "v of the sliding body along +x."),
     column("work_of_adhesion", Measure::Adhesion, "Δγ, where the edges differ that of the trailing one; in a reduced scene Γ."),

@@ -29,7 +29,7 @@ const TO_SNAP_IN: [[f64; 2]; 2] = [[610.0, 690.0], [945.0, 1045.0]];
 const SEPARATION: [f64; 2] = [100.0, 640.0];
 /// From here on an accuracy is loose.
 const LOOSE: f64 = 1e-5;
-/// Balances of the sensitivities of a contact, and of what one bears.
+/// Balances of the sensitivities of a contact, and of what one carries.
 const SENSITIVITIES: [f64; 2] = [50.0, 1500.0];
 
 /// Points by which is seen how much of a branch lies within a range of loads, and points outside it over those inside.
@@ -69,7 +69,7 @@ impl SlidingPlan {
         curve + scan + POINT * f64::from(branch.points)
     }
 
-    /// Whether every contact is scanned along speeds: on request, and where neither end bears what is held.
+    /// Whether every contact is scanned along speeds: on request, and where neither end carries what is held.
     fn is_scanned(&self, branch: &SlidingBranch) -> bool {
         branch.every
             || self
@@ -85,7 +85,7 @@ impl SlidingPlan {
         SCANNED * (half_widths * parameters) as f64
     }
 
-    /// Balances of what a contact bears.
+    /// Balances of what a contact carries.
     fn balances_of_strength(&self) -> f64 {
         let tight = usize::from(self.accuracy < LOOSE);
         let of_wave = |memory: usize| TO_SNAP_IN[tight][memory] + SEPARATION[tight];

@@ -18,7 +18,7 @@ impl SlidingPlan {
             (true, false) => "[adhesion] is given, but sliding.contacts leaves \"adhesive\" out",
             (false, _) => "no [adhesion]",
         };
-        let twin = match (adhesiveless, self.sliding.adhesion.is_some()) {
+        let without_adhesion = match (adhesiveless, self.sliding.adhesion.is_some()) {
             (true, false) => "no [adhesion]: both edges without a singular stress",
             (true, true) => "named in sliding.contacts",
             (false, _) => "not named in sliding.contacts",
@@ -36,7 +36,7 @@ impl SlidingPlan {
         };
         vec![
             Effect { name: "adhesion", on: adhesive, why: adhesion.into() },
-            Effect { name: "adhesiveless twin", on: adhesiveless, why: twin.into() },
+            Effect { name: "adhesiveless twin", on: adhesiveless, why: without_adhesion.into() },
             Effect { name: "memory", on: terms > 0, why: memory },
             Effect { name: "elastic counter body", on: self.sliding.counter_body.is_some(), why: counter_body.into() },
             Effect {

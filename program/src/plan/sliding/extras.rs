@@ -16,8 +16,8 @@ use viscotack::sliding::steady::{PartialValues, SlidingOutcome, SlidingProblem};
 const SOLVES: u64 = 3;
 /// A dissipation governs that makes up all friction but this part.
 const GOVERNS: f64 = 0.1;
-/// A share with a wider bar does not tell which one governs.
-const TOLD: f64 = 0.01;
+/// A share with a wider bound does not tell which one governs.
+const LARGEST_ERROR: f64 = 0.01;
 
 /// Values of columns on request, what they took, and why some are missing.
 pub(super) struct Extras {
@@ -60,9 +60,9 @@ fn friction_parts(values: &PartialValues) -> [Option<Estimate>; 3] {
     } else {
         0.0
     };
-    // A share whose bar is wider says nothing that could be relied on.
-    let told = share.error <= TOLD;
-    [Some(bulk), told.then_some(share), told.then_some(Estimate::exact(regime))]
+    // A share whose bound is wider says nothing that could be relied on.
+    let is_known = share.error <= LARGEST_ERROR;
+    [Some(bulk), is_known.then_some(share), is_known.then_some(Estimate::exact(regime))]
 }
 
 impl SlidingPlan {

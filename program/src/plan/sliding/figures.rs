@@ -52,10 +52,10 @@ impl SlidingPlan {
         figures
     }
 
-    /// The adhesive contact is solid, its adhesiveless twin dashed; alone, either is solid.
+    /// The adhesive contact is solid, the adhesiveless one dashed; alone, either is solid.
     fn kind(&self, contact: SlidingContact) -> Kind {
-        let twin = contact == SlidingContact::Adhesiveless && self.sliding.contacts.len() > 1;
-        Kind { word: contact.word(), name: contact.word(), line: if twin { Line::Dashed } else { Line::Solid } }
+        let dashed = contact == SlidingContact::Adhesiveless && self.sliding.contacts.len() > 1;
+        Kind { word: contact.word(), name: contact.word(), line: if dashed { Line::Dashed } else { Line::Solid } }
     }
 
     /// A label with its symbol: in SI units, or as a reduced group of a wave or of a cylinder.

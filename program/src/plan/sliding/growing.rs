@@ -10,13 +10,13 @@
 //! so that both lengths follow from the material and the speed alone. The error of the friction falls linearly in a₀ (measured against
 //! `finite_range`: `tests/scene/surfaces.rs`, `docs/src/guides/surfaces.md`).
 
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 
 /// Halvings of the interval of a length, in its logarithm: a rounding unit of a factor β up to 10⁹.
 const HALVINGS: u32 = 64;
 
 /// Both lengths of a law whose relaxed edge has the zone α a₀, at a rate v in the unit of lengths over time: where it opens, and where it closes.
-pub(super) fn grown(material: &Material, rate: f64, [opening, closing]: [f64; 2]) -> [f64; 2] {
+pub(super) fn grown(material: &PlaneMaterial, rate: f64, [opening, closing]: [f64; 2]) -> [f64; 2] {
     let relaxed = material.relaxed_modulus();
     let open = |length: f64| {
         let sum: f64 =
@@ -59,7 +59,7 @@ mod tests {
     /// Table of `law_to_zone.md`, section 1 gives G/Δγ of the exact Dugdale zone; the rule itself is checked by its own balance and its limits.
     #[test]
     fn a_zone_is_its_own_growth_and_meets_both_limits() {
-        let material = Material::from_creep(10.0, &[CreepTerm { compliance: 0.9, retardation_time: 1.0 }], None).unwrap();
+        let material = PlaneMaterial::from_creep(10.0, &[CreepTerm { compliance: 0.9, retardation_time: 1.0 }], None).unwrap();
         let relaxed = 1e-3;
         for rate in [1e-3, 0.1, 10.0] {
             let [opening, closing] = grown(&material, rate, [relaxed; 2]);

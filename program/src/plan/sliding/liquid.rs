@@ -12,7 +12,7 @@ use crate::plan::plane_material::flow_as_element;
 use crate::scene::typed::{Sliding, SlidingContact, SlidingIndenter, SlidingTask, SlidingZone};
 use std::f64::consts::TAU;
 use viscotack::estimate::Estimate;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// E0/|E(kv)| of the solids, the softest first; each is ten times as soft as the next.
@@ -21,7 +21,7 @@ const PARTS: [f64; 3] = [1e-5, 1e-4, 1e-3];
 const LEAST_GAIN: f64 = 0.3;
 
 /// The softest solid and the stiffer ones that stand for a liquid; a solid alone.
-pub(super) fn solids(sliding: &Sliding, material: Material) -> Result<(Material, Vec<Material>), Refusal> {
+pub(super) fn solids(sliding: &Sliding, material: PlaneMaterial) -> Result<(PlaneMaterial, Vec<PlaneMaterial>), Refusal> {
     let Some(viscosity) = material.steady_viscosity() else { return Ok((material, Vec::new())) };
     let refused = |quantity, reason: &str| {
         Err(Refusal::Undefined { quantity, reason: format!("the material is a liquid (relaxed modulus 0): {reason}") })
@@ -82,14 +82,14 @@ impl SlidingPlan {
                 }
             }
         }
-        self.judge_limit(&mut row);
+        self.assess_limit(&mut row);
         row
     }
 }
 
 impl SlidingPlan {
     /// Flags a limit whose bounds are too wide. Its scales are those of a solid of |E(kv)|, as it has no modulus at rest.
-    fn judge_limit(&self, row: &mut Row) {
+    fn assess_limit(&self, row: &mut Row) {
         if row.status == Status::Inaccurate {
             (row.status, row.reason) = (Status::Solved, None);
         }

@@ -1,6 +1,5 @@
 //! The plan of a sliding contact: which contacts, at which speed, under which load, with which fields.
 
-mod apart;
 mod branch_figures;
 mod branch_rows;
 mod branches;
@@ -13,6 +12,7 @@ mod extras;
 mod fields;
 mod figures;
 mod growing;
+mod isolated;
 mod liquid;
 mod scale;
 mod solve;
@@ -34,7 +34,7 @@ use crate::scene::typed::{
 use columns::at;
 use scale::Scale;
 use viscotack::closure::work_by_speed::WorkBySpeed;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
 
@@ -43,7 +43,7 @@ use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveA
 pub(super) struct SlidingPlan {
     sliding: Sliding,
     /// Both bodies together, with plane moduli.
-    material: Material,
+    material: PlaneMaterial,
     /// The same contact of stiffer solids, of which a liquid is the limit; none of a solid.
     stiffer: Vec<Self>,
     poisson_ratio: PoissonRatio,
@@ -95,7 +95,7 @@ impl SlidingPlan {
     }
 
     /// The same contact of another material.
-    fn of(&self, material: Material) -> Self {
+    fn of(&self, material: PlaneMaterial) -> Self {
         let scale = Scale::new(&self.sliding, material.relaxed_modulus(), self.units);
         let work_by_rate = self.sliding.work_by_speed.as_ref().map(|law| law.in_unit(scale.length));
         Self { material, scale, work_by_rate, stiffer: Vec::new(), ..self.clone() }
@@ -277,7 +277,7 @@ impl ProblemPlan for SlidingPlan {
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        self.verdicts(rows)
+        self.assessments(rows)
     }
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {

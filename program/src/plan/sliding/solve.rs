@@ -13,8 +13,8 @@ use viscotack::sliding::steady::{FullContact, PartialContact, PartialValues, Sli
 const CONVERSION: f64 = 6.0 * f64::EPSILON;
 
 /// What is said of a contact whose adhesion no digit of the load feels.
-const FAINT: &str =
-    "adhesion is too faint to be told from the last digits of the load: values are those without it, bars hold what it would change";
+const NEGLIGIBLE: &str =
+    "adhesion is negligible beside the last digits of the load: values are those without it, and their bounds cover what it would change";
 
 /// A limit in the units of the scene.
 pub(super) struct PassedLimit {
@@ -84,7 +84,7 @@ impl SlidingPlan {
                     });
                 }
                 if problem.adhesion.is_some() && partial.values.adhesion.is_none() {
-                    row.reason = Some(FAINT.to_owned());
+                    row.reason = Some(NEGLIGIBLE.to_owned());
                 }
                 if let Some(points) = self.sliding.field_points {
                     row.fields = self.fields(&partial, points)?;
@@ -238,7 +238,7 @@ impl SlidingPlan {
         if self.sliding.speed < 0.0 { -1.0 } else { 1.0 }
     }
 
-    /// A limit of the solver, which measure it has being told by its name, in the units of the scene.
+    /// A limit of the solver, which measure it has following from its name, in the units of the scene.
     pub(super) fn limit(&self, name: &'static str, value: f64) -> PassedLimit {
         let plain = Sliding { task: SlidingTask::State, ..self.sliding.clone() };
         let of_column = |column: usize| columns(&plain, self.units).into_iter().nth(column).map_or_else(String::new, |c| c.unit);

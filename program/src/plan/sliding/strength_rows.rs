@@ -1,4 +1,4 @@
-//! What a contact bears, as one row: a quantity that does not exist is an empty cell, and the row says why.
+//! What a contact carries, as one row: a quantity that does not exist is an empty cell, and the row says why.
 
 use super::SlidingPlan;
 use super::columns::definitions;
@@ -29,7 +29,7 @@ impl SlidingPlan {
         let Strength { pull_off, snap_in, separation, zero_load, toughness, work, .. } = &found;
         let adhesion = self.reduced_adhesion();
         let contact = |fold: &Option<Fold>| fold.as_ref().map(|fold| fold.contact);
-        let (pulled, snapped, apart) = (contact(pull_off), contact(snap_in), contact(separation));
+        let (pulled, snapped, separated) = (contact(pull_off), contact(snap_in), contact(separation));
         let of = |values: Option<PartialValues>, part: fn(&PartialValues) -> Estimate| values.as_ref().map(part);
         let half_width = |values: &PartialValues| values.half_width;
         let penetration = |values: &PartialValues| values.penetration;
@@ -46,8 +46,8 @@ impl SlidingPlan {
             of(snapped, half_width),
             of(snapped, penetration),
             turned(separation),
-            of(apart, half_width),
-            of(apart, |values| values.mean_pressure),
+            of(separated, half_width),
+            of(separated, |values| values.mean_pressure),
             toughness.as_ref().ok().map(|toughness| toughness.value),
         ];
         let mut reduced: Vec<Option<Estimate>> = if self.is_wave() {
@@ -64,7 +64,7 @@ impl SlidingPlan {
         row.work += extras.work;
         let zones = adhesion.map(|adhesion| [adhesion.trailing_zone, adhesion.leading_zone].map(|zone| Some(zone * self.scale.length)));
         // The narrowest contact that is spoken of.
-        let narrowest = [pulled, apart, *zero_load].into_iter().flatten().map(|values| values.half_width.value).reduce(f64::min);
+        let narrowest = [pulled, separated, *zero_load].into_iter().flatten().map(|values| values.half_width.value).reduce(f64::min);
         row.assumptions = self.assumed(narrowest.map(|width| width * self.scale.length), zones.unwrap_or([None, None]));
         let mut missing = extras.notes;
         if zero_load.is_none() {

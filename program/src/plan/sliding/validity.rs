@@ -1,9 +1,9 @@
-//! Where the model of a sliding contact may be doubted.
+//! Where the model of a sliding contact may fail.
 
 use super::SlidingPlan;
 use super::columns::at;
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
+use crate::plan::assumptions::{Assumption, Limit, assessed, constant_poisson_ratio, not_assessed};
 use crate::scene::typed::{SlidingIndenter, SlidingZone, Units};
 
 /// The assumptions, in the order of [`SlidingPlan::assumptions`].
@@ -36,7 +36,7 @@ const ASSUMPTIONS: [Assumption; 5] = [
 ];
 
 impl SlidingPlan {
-    /// The numbers that the assumptions are judged by, for one row.
+    /// The numbers that the assumptions are assessed by, for one row.
     pub(super) fn assumptions(&self, row: &Row) -> Vec<Option<f64>> {
         self.assumed(row.value(at::HALF_WIDTH), [row.value(at::TRAILING_ZONE), row.value(at::LEADING_ZONE)])
     }
@@ -62,15 +62,15 @@ impl SlidingPlan {
         ]
     }
 
-    pub(super) fn verdicts(&self, rows: &[Row]) -> Vec<Validity> {
-        let mut entries = judged(&ASSUMPTIONS, rows);
+    pub(super) fn assessments(&self, rows: &[Row]) -> Vec<Validity> {
+        let mut entries = assessed(&ASSUMPTIONS, rows);
         entries.extend(constant_poisson_ratio(self.poisson_ratio));
-        entries.push(not_judged(
+        entries.push(not_assessed(
             "inertia and heat",
             None,
             "left out: speeds must stay far below the shear-wave speed, and the edges isothermal",
         ));
-        entries.push(not_judged(
+        entries.push(not_assessed(
             "dry contact",
             None,
             "assumed: no fluid, no air trapped in the gap, and no shear stress at the interface itself",

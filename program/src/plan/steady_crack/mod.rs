@@ -20,7 +20,7 @@ use viscotack::crack::steep_closing::Correction;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{Interface, Motion, ProcessZone};
 use viscotack::elastic::PureShearStrip;
-use viscotack::material::Material;
+use viscotack::material::{Material, PlaneMaterial};
 use viscotack::refusal::Refusal;
 
 /// A steady crack, ready to be solved.
@@ -28,7 +28,7 @@ use viscotack::refusal::Refusal;
 pub(super) struct SteadyCrackPlan {
     crack: SteadyCrack,
     /// Both series with plane moduli.
-    plane_material: Material,
+    plane_material: PlaneMaterial,
     /// Young's moduli and the Poisson ratio, for strips and for the description.
     youngs_material: Material,
     poisson_ratio: PoissonRatio,
@@ -260,7 +260,7 @@ impl ProblemPlan for SteadyCrackPlan {
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        self.verdicts(rows)
+        self.assessments(rows)
     }
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
@@ -298,7 +298,7 @@ impl SteadyCurve for TheoryCurve<'_> {
         self.inner().point(crossing_time)
     }
 
-    fn material(&self) -> &Material {
+    fn material(&self) -> &PlaneMaterial {
         self.inner().material()
     }
 

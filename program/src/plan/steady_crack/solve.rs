@@ -42,8 +42,8 @@ impl SteadyCrackPlan {
                     Motion::Opening => (1.0, beta),
                     Motion::Closing => (1.0 / beta, 1.0),
                 };
-                let doubt = ratio.error + 4.0 * f64::EPSILON * ratio.value;
-                ratio.value >= low - doubt && ratio.value <= high + doubt
+                let uncertainty = ratio.error + 4.0 * f64::EPSILON * ratio.value;
+                ratio.value >= low - uncertainty && ratio.value <= high + uncertainty
             });
         row.certificate = Some(Certificate { residual: state.residual, condition: self.condition(&state), admissible });
         if !admissible {

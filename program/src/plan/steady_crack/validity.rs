@@ -1,9 +1,9 @@
-//! Where the model of a steady crack may be doubted: numbers formed for every row, and the verdict on the worst of them.
+//! Where the model of a steady crack may fail: numbers formed for every row, and the assessment of the worst of them.
 
 use super::SteadyCrackPlan;
 use super::columns::at;
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
+use crate::plan::assumptions::{Assumption, Limit, assessed, constant_poisson_ratio, not_assessed};
 use crate::scene::typed::{CrackControl, ProcessZoneLaw, Units};
 use viscotack::estimate::Estimate;
 
@@ -47,7 +47,7 @@ const ASSUMPTIONS: [Assumption; 7] = [
 ];
 
 impl SteadyCrackPlan {
-    /// The numbers that the assumptions are judged by, for one row.
+    /// The numbers that the assumptions are assessed by, for one row.
     pub(super) fn assumptions(&self, values: &[Option<Estimate>]) -> Vec<Option<f64>> {
         let value = |column: usize| values.get(column).copied().flatten().map(|estimate| estimate.value);
         let zone = value(at::PROCESS_ZONE);
@@ -83,10 +83,10 @@ impl SteadyCrackPlan {
         ]
     }
 
-    pub(super) fn verdicts(&self, rows: &[Row]) -> Vec<Validity> {
-        let mut entries = judged(&ASSUMPTIONS, rows);
+    pub(super) fn assessments(&self, rows: &[Row]) -> Vec<Validity> {
+        let mut entries = assessed(&ASSUMPTIONS, rows);
         entries.extend(constant_poisson_ratio(self.poisson_ratio));
-        entries.push(not_judged(
+        entries.push(not_assessed(
             "inertia and heat",
             None,
             "left out: speeds must stay far below the shear-wave speed, and the tip isothermal",

@@ -2,7 +2,7 @@
 
 use super::SurfacePlan;
 use crate::outcome::{Effect, Group, Row, Validity};
-use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
+use crate::plan::assumptions::{Assumption, Limit, assessed, constant_poisson_ratio, not_assessed};
 use crate::plan::citations::{CONTMECH, Citation, GREENWOOD_1997, PRIMAL_DUAL, THESIS};
 use crate::scene::typed::{SlidingContact, SurfaceLoad, SurfacePath, SurfaceTask, Units};
 use viscotack::sliding::layer::Backing;
@@ -132,26 +132,26 @@ impl SurfacePlan {
     }
 
     pub(super) fn assessments(&self, rows: &[Row]) -> Vec<Validity> {
-        let mut entries = judged(&ASSUMPTIONS, rows);
+        let mut entries = assessed(&ASSUMPTIONS, rows);
         entries.extend(constant_poisson_ratio(self.poisson_ratio));
-        entries.push(not_judged(
+        entries.push(not_assessed(
             "stability",
             None,
             "of steady disturbances only, by the negative eigenvalues of the linearised equations on two grids: a disturbance may still grow while it oscillates",
         ));
         if self.layer.is_some_and(|layer| layer.backing() == Backing::Free) {
-            entries.push(not_judged(
+            entries.push(not_assessed(
                 "free layer",
                 None,
                 "its far face is pressed by a uniform pressure that carries the load; thin layers bend far",
             ));
         }
-        entries.push(not_judged(
+        entries.push(not_assessed(
             "inertia and heat",
             None,
             "left out: speeds must stay far below the shear-wave speed, and the surface isothermal",
         ));
-        entries.push(not_judged(
+        entries.push(not_assessed(
             "dry contact",
             None,
             "assumed: no fluid, no air trapped in the gap, and no shear stress at the interface itself",

@@ -22,7 +22,7 @@ use columns::at;
 use std::f64::consts::TAU;
 use viscotack::finite_range::law::Attraction;
 use viscotack::finite_range::line::{Control, Modulus, Problem, Profile, Request, Scales, modulus_of};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::layer::Layer;
 
@@ -39,7 +39,7 @@ const STATES: u64 = 16;
 pub(super) struct SurfacePlan {
     sliding: SurfaceSliding,
     /// Both bodies together, with plane moduli.
-    material: Material,
+    material: PlaneMaterial,
     modulus: Modulus,
     poisson_ratio: PoissonRatio,
     /// What one reduced unit is in the units of the scene.

@@ -76,7 +76,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "adhesion.interaction_range",
         kind: Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "R" },
-        meaning: "Indentation: the equilibrium distance of the interface potential, by which Tabor's number judges the theory; it changes no result.",
+        meaning: "Indentation: the equilibrium distance of the interface potential, by which Tabor's number assesses the theory; it changes no result.",
     },
     Key {
         path: "adhesion.law",

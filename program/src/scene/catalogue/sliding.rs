@@ -164,7 +164,7 @@ pub(super) const KEYS: &[Key] = &[
             },
             Word {
                 word: "every",
-                meaning: "also those that a scan of every contact finds apart from these, closed ones (isolas) as well; not together with a range of loads or penetrations",
+                meaning: "also those that a scan of every contact finds isolated from these, closed ones (isolas) as well; not together with a range of loads or penetrations",
             },
         ]),
         meaning: "Which branches are rows: those that are reached from the ends, or every one. A scan misses a branch that fits between two of its half-widths and two values of the parameter (two per factor e). Default \"followed\".",

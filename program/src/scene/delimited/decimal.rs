@@ -10,9 +10,9 @@ pub(super) struct Evidence {
     comma: Option<Cell>,
     comma_groups: Option<Cell>,
     point_groups: Option<Cell>,
-    doubtful_point: Option<Cell>,
-    doubtful_comma: Option<Cell>,
-    /// A doubtful comma outside quotation marks.
+    ambiguous_point: Option<Cell>,
+    ambiguous_comma: Option<Cell>,
+    /// An ambiguous comma outside quotation marks.
     bare_comma: Option<Cell>,
 }
 
@@ -22,7 +22,7 @@ pub(super) enum Open {
     /// Both signs break numbers: in the first cell and in the second.
     Both(Cell, Cell),
     /// This number has a mark before three digits: the sign if it is one, and whether other numbers have the other sign.
-    Doubtful { cell: Cell, sign: Decimal, other: bool },
+    Ambiguous { cell: Cell, sign: Decimal, other: bool },
 }
 
 /// The sign, and a number in which the other one groups thousands.
@@ -41,12 +41,12 @@ impl Evidence {
             Shape::Broken(Decimal::Comma) => &mut self.comma,
             Shape::Grouped(Decimal::Point) => &mut self.comma_groups,
             Shape::Grouped(Decimal::Comma) => &mut self.point_groups,
-            Shape::Doubtful(Decimal::Point) => &mut self.doubtful_point,
-            Shape::Doubtful(Decimal::Comma) => {
+            Shape::Ambiguous(Decimal::Point) => &mut self.ambiguous_point,
+            Shape::Ambiguous(Decimal::Comma) => {
                 if !cell.quoted {
                     self.bare_comma.get_or_insert(cell);
                 }
-                &mut self.doubtful_comma
+                &mut self.ambiguous_comma
             }
             Shape::Text | Shape::Missing | Shape::Whole => return,
         };
@@ -57,30 +57,30 @@ impl Evidence {
     pub(super) fn decide(&self) -> Result<Chosen, Open> {
         let (point, comma) = (self.point.or(self.comma_groups), self.comma.or(self.point_groups));
         let by_groups = |decimal| match decimal {
-            Decimal::Point => self.comma_groups.or(self.doubtful_comma),
-            Decimal::Comma => self.point_groups.or(self.doubtful_point),
+            Decimal::Point => self.comma_groups.or(self.ambiguous_comma),
+            Decimal::Comma => self.point_groups.or(self.ambiguous_point),
         };
         let decimal = match (point, comma) {
             (Some(one), Some(other)) => return Err(Open::Both(one, other)),
             (None, Some(_)) => {
-                if let (Some(cell), None) = (self.doubtful_point, self.point_groups) {
-                    return Err(Open::Doubtful { cell, sign: Decimal::Point, other: true });
+                if let (Some(cell), None) = (self.ambiguous_point, self.point_groups) {
+                    return Err(Open::Ambiguous { cell, sign: Decimal::Point, other: true });
                 }
                 Decimal::Comma
             }
             (Some(_), None) => {
                 // In quotation marks, commas between digits were protected from being separators: thousands, since the sign is a point.
                 if let (Some(cell), None) = (self.bare_comma, self.comma_groups) {
-                    return Err(Open::Doubtful { cell, sign: Decimal::Comma, other: true });
+                    return Err(Open::Ambiguous { cell, sign: Decimal::Comma, other: true });
                 }
                 Decimal::Point
             }
-            (None, None) => match self.doubtful_comma {
-                Some(cell) => return Err(Open::Doubtful { cell, sign: Decimal::Comma, other: false }),
+            (None, None) => match self.ambiguous_comma {
+                Some(cell) => return Err(Open::Ambiguous { cell, sign: Decimal::Comma, other: false }),
                 None => Decimal::Point,
             },
         };
-        let taken = if point.is_none() && decimal == Decimal::Point { self.doubtful_point } else { None };
+        let taken = if point.is_none() && decimal == Decimal::Point { self.ambiguous_point } else { None };
         Ok(Chosen { decimal, grouped: by_groups(decimal), taken })
     }
 }

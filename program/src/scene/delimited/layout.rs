@@ -96,7 +96,7 @@ impl DelimitedTable {
                     );
                     SceneError::at(&place(comma), message, "which of the two?").help("write one decimal sign in all numbers")
                 }
-                Open::Doubtful { cell, sign, other } => {
+                Open::Ambiguous { cell, sign, other } => {
                     let mark = if sign == Decimal::Point { "point" } else { "comma" };
                     let (broken, whole) = (quoted(cell).replace(',', "."), quoted(cell).replace([',', '.'], ""));
                     let message = format!(

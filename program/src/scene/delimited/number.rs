@@ -21,7 +21,7 @@ pub(super) enum Shape {
     /// One point or comma that can only be the decimal sign.
     Broken(Decimal),
     /// One point or comma before exactly three digits: the decimal sign, or a mark of thousands beside the other sign. The sign if it is one.
-    Doubtful(Decimal),
+    Ambiguous(Decimal),
     /// Points or commas that group thousands: the decimal sign is the other one.
     Grouped(Decimal),
 }
@@ -93,7 +93,7 @@ pub(super) fn shape(text: &str) -> Shape {
             if first_run + run == 0 || (run == 0 && commas == 1) {
                 Shape::Text
             } else if three && !leading_zero && !exponent {
-                Shape::Doubtful(of(last))
+                Shape::Ambiguous(of(last))
             } else {
                 Shape::Broken(of(last))
             }
@@ -117,7 +117,7 @@ pub(super) fn value(text: &str, decimal: Decimal, power: i32, buffer: &mut Strin
         Shape::Whole => true,
         Shape::Broken(sign) | Shape::Grouped(sign) => sign == decimal,
         // The other sign groups: the file as a whole has been checked for that.
-        Shape::Doubtful(_) => true,
+        Shape::Ambiguous(_) => true,
     };
     if !fits {
         return None;
@@ -158,7 +158,7 @@ pub(super) fn quantity(text: &str) -> Option<(f64, &str)> {
     let of_number = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '−' | '+' | 'e' | 'E');
     let (digits, unit) = text.split_at(text.find(|c: char| !of_number(c)).unwrap_or(text.len()));
     let decimal = match shape(digits) {
-        Shape::Whole | Shape::Doubtful(Decimal::Point) => Decimal::Point,
+        Shape::Whole | Shape::Ambiguous(Decimal::Point) => Decimal::Point,
         Shape::Broken(sign) | Shape::Grouped(sign) => sign,
         _ => return None,
     };
@@ -201,8 +201,8 @@ mod tests {
             ("5.", Shape::Broken(Point)),
             ("5,", Shape::Text),
             (".", Shape::Text),
-            ("1.234", Shape::Doubtful(Point)),
-            ("1,234", Shape::Doubtful(Comma)),
+            ("1.234", Shape::Ambiguous(Point)),
+            ("1,234", Shape::Ambiguous(Comma)),
             ("1,234e5", Shape::Broken(Comma)),
             ("1234,567", Shape::Broken(Comma)),
             ("1,234,567", Shape::Grouped(Point)),

@@ -1,6 +1,7 @@
 //! From a checked document to a typed scene: what is required, what excludes what, and which numbers belong together.
 
 mod attraction;
+pub(super) mod cache;
 mod column_names;
 mod column_units;
 mod counter_body;
@@ -28,7 +29,6 @@ mod material_strain;
 mod material_table;
 mod material_taking;
 mod measured_table;
-pub(super) mod memo;
 mod periodic;
 mod record;
 mod record_corners;

@@ -3,13 +3,13 @@
 use crate::scene::check::Units;
 use std::sync::Arc;
 use viscotack::elastic::PlaneState;
-use viscotack::material::Material;
 use viscotack::material::broad::{BroadLaw, Expansion};
 use viscotack::material::fit::consistency::Consistency;
 use viscotack::material::fit::superposition::Superposition;
 use viscotack::material::fit::{Plateau, SeriesFit};
 use viscotack::material::isotropic::IsotropicSolid;
 use viscotack::material::shift::ShiftFactors;
+use viscotack::material::{Material, PlaneMaterial};
 use viscotack::refusal::Refusal;
 
 /// What the series of a material was made of.
@@ -90,12 +90,12 @@ impl super::SceneMaterial {
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a Poisson ratio out of range; [`Refusal::Undefined`] where a modulus overflows.
-    pub fn plane_series(&self, units: Units, state: PlaneState) -> Result<Material, Refusal> {
+    pub fn plane_series(&self, units: Units, state: PlaneState) -> Result<PlaneMaterial, Refusal> {
         match (&self.isotropic, self.poisson_ratio) {
-            _ if units == Units::Reduced => Ok(self.series.clone()),
+            _ if units == Units::Reduced => Ok(PlaneMaterial::of_plane_moduli(self.series.clone())),
             (Some(solid), _) if state == PlaneState::Strain => Ok(solid.at_temperature.plane_strain().clone()),
-            (None, Some(ratio)) => self.series.stiffened(state.stiffening(ratio)?),
-            _ => Ok(self.series.clone()),
+            (None, Some(ratio)) => PlaneMaterial::of_youngs(&self.series, state, ratio),
+            _ => Ok(PlaneMaterial::of_plane_moduli(self.series.clone())),
         }
     }
 }

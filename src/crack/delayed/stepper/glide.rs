@@ -37,9 +37,9 @@ impl Stepper {
                 panel = 0.5 * duration;
                 if panel < 4.0 * now.crossing_time { break } else { continue }
             }
-            let doubt = now.doubt().max(four.doubt());
-            self.doubts[0] += doubt * advance;
-            self.doubts[1] = doubt * now.speed.max(four.speed);
+            let uncertainty = now.uncertainty().max(four.uncertainty());
+            self.uncertainties[0] += uncertainty * advance;
+            self.uncertainties[1] = uncertainty * now.speed.max(four.speed);
             self.write_outputs(ahead, duration, advance, [now.speed, four.speed], Between::Read);
             self.memory.wait(duration);
             self.memory.place += advance;

@@ -32,7 +32,7 @@ impl Stepper {
         self.rests.iter().copied().filter(|rest| self.in_zone(*rest, load)).fold(f64::INFINITY, f64::min)
     }
 
-    /// One step of growth, or an arrest, or the rest of the stretch in uniform motion.
+    /// One step of growth, or an arrest, or the rest of the segment in uniform motion.
     pub(super) fn grow(&mut self, ahead: &mut Ahead, breaks: bool) {
         let zone = ahead.zone.at(ahead.load);
         ahead.speed = self.speed;
@@ -190,7 +190,7 @@ impl Stepper {
             }
             // The way before was that of quasi-steady growth, until it is two zones behind.
             if self.undisturbed > 2 * self.lines_per_zone {
-                self.doubts[1] = 0.0;
+                self.uncertainties[1] = 0.0;
             }
         }
         let between = if std::mem::take(&mut self.first_step) { Between::Read } else { Between::Solved };
@@ -211,7 +211,7 @@ impl Stepper {
             if let Some(event) = self.run.events.last_mut().filter(|_| slowly) {
                 // The place is known to SAME_PLACE: what the speed gains there goes with the root.
                 let beyond = (SAME_PLACE / advance.max(SAME_PLACE)).sqrt();
-                event.speed_doubt = SLOW_KINK_PART.max(beyond) * (before - at_start).abs();
+                event.speed_uncertainty = SLOW_KINK_PART.max(beyond) * (before - at_start).abs();
             }
             self.uniform = (0.0, 0);
         }

@@ -2,22 +2,22 @@
 //!
 //! # What it does
 //! The trajectory is a chain of pieces, each the parabola in time that starts with the speed at its start and whose end satisfies the closure to
-//! rounding; each piece's memory is integrated exactly. While the tip runs it is carried from one line of a grid of m lines per process zone to the next, and the unknown is the
-//! time (t(x) is smooth where x(t) starts with a jump of speed; and the back of the window then lies on the grid as well). The grid starts where growth
-//! or a new stretch of load starts, graded from the shortest time (`grid`), so the kink one process zone later is a line. Where the load is slow in coming, or the tip slows
-//! down, the time step is bounded (m/2 steps in a stretch of load) and the unknown is the place.
+//! rounding; each piece's memory is integrated exactly. While the tip runs it is carried from one line of a grid of m lines per process zone to the next, and the
+//! unknown is the time (t(x) is smooth where x(t) starts with a jump of speed; and the back of the window then lies on the grid as well). The grid starts where growth
+//! or a new segment of load starts, graded from the shortest time (`grid`), so the kink one process zone later is a line. Where the load is slow in coming, or the tip
+//! slows down, the time step is bounded (m/2 steps in a segment of load) and the unknown is the place.
 //!
 //! # How good
 //! Third order in 1/m with a coefficient that does not depend on m: all that happens is a node of every run, and no run takes a start, an arrest or a kink in one
 //! step where another takes more (`first_step`, `longest_advance`). Exact for uniform motion. An arrest under a falling load is where the speed that the closure wants is
 //! zero, solved for within its step; a step over it would let the tip stop late, in all runs alike. When
-//! all steps of a window agree to rounding under a constant load, the motion is uniform from then on: the rest of the stretch is one piece.
+//! all steps of a window agree to rounding under a constant load, the motion is uniform from then on: the rest of the segment is one piece.
 
 //!
 //! # What happens, and what is only rounding
 //! No event is inferred from a residual or from an equality of numbers. A line counts as reached from a thousandth of its distance on (`grid`); the tip stops where the
-//! speed is not above zero, by the held memory too, which decides at rest (else an arrest would be undone at once); only a load that jumps moves the tip at once; a step in
-//! which the closure gains less than its rounding goes by the speed.
+//! speed is not above zero, by the held memory too, which decides at rest (else an arrest would be undone at once); only a load that jumps moves the tip at once; a
+//! step in which the closure gains less than its rounding goes by the speed.
 
 mod bracket;
 mod glide;
@@ -82,7 +82,7 @@ pub(crate) struct Stepper {
     /// Lines passed since the motion was last disturbed.
     undisturbed: u32,
     /// What is not known of place and speed after quasi-steady growth.
-    doubts: [f64; 2],
+    uncertainties: [f64; 2],
     moving: bool,
     /// No step of growth has been taken since it began, or since the load changed its slope.
     first_step: bool,
@@ -100,25 +100,25 @@ pub(crate) struct Stepper {
     /// Steps taken when the memory's zero was last moved.
     rebased_at: u64,
     run: Run,
-    /// Which stretch of the load is passed, and what of it lies ahead.
-    stretch: usize,
+    /// Which segment of the load is passed, and what of it lies ahead.
+    segment: usize,
     ahead: Option<Ahead>,
     /// Steps taken at the last look.
     looked_at: u64,
 }
 
-/// The load over the rest of a stretch.
+/// The load over the rest of a segment.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 struct Ahead {
-    /// The load now, at the start of the stretch and at its end.
+    /// The load now, at the start of the segment and at its end.
     load: f64,
     first: f64,
     last: f64,
     slope: f64,
-    /// How long the stretch takes, and how much of that has passed (s).
+    /// How long the segment takes, and how much of that has passed (s).
     whole: f64,
     passed: Clock,
-    /// When the stretch ends, by the clock of the history.
+    /// When the segment ends, by the clock of the history.
     end: f64,
     longest_step: f64,
     /// The speed of the tip now.
@@ -127,7 +127,7 @@ struct Ahead {
 }
 
 impl Ahead {
-    /// What is left of the stretch (s).
+    /// What is left of the segment (s).
     fn left(&self) -> f64 {
         self.whole - self.passed.time()
     }
@@ -142,7 +142,7 @@ impl Ahead {
         Step { duration, advance, bend, loads: [self.load, load], zone: self.zone.at(load) }
     }
 
-    /// Whether the zone changes in this stretch.
+    /// Whether the zone changes in this segment.
     fn zone_changes(&self) -> bool {
         self.zone.follows() && self.slope != 0.0
     }
@@ -150,7 +150,7 @@ impl Ahead {
     fn pass(&mut self, duration: f64) {
         self.load = self.load_after(duration);
         if duration >= self.left() {
-            // Infinite for a stretch that is: nothing passes it.
+            // Infinite for a segment that is: nothing passes it.
             self.whole = self.passed.time();
         } else {
             self.passed.pass(duration);
@@ -188,15 +188,15 @@ pub(crate) fn run(
     let until = asked.until;
     let mut stepper = left_off.unwrap_or_else(|| Stepper::new(problem, zone, asked));
     stepper.outputs = asked.outputs.into();
-    for (index, stretch) in history.stretches().iter().enumerate().skip(stepper.stretch) {
+    for (index, segment) in history.segments().iter().enumerate().skip(stepper.segment) {
         // A load that jumps at the very end is not seen any more, in no run.
-        if stretch.start > until || (stretch.start > 0.0 && until - stretch.start <= 4.0 * f64::EPSILON * until) {
+        if segment.start > until || (segment.start > 0.0 && until - segment.start <= 4.0 * f64::EPSILON * until) {
             break;
         }
-        let mut duration = stretch.duration;
-        let [first, mut last] = [stretch.from / limit, stretch.to / limit];
+        let mut duration = segment.duration;
+        let [first, mut last] = [segment.from / limit, segment.to / limit];
         if first >= 1.0 {
-            stepper.unbounded(stretch.start);
+            stepper.unbounded(segment.start);
             return Ok(stepper.finished());
         }
         let breaks = last >= 1.0;
@@ -206,7 +206,7 @@ pub(crate) fn run(
         }
         let slope = if duration.is_finite() { (last - first) / duration } else { 0.0 };
         let longest_step = 2.0 * duration / f64::from(asked.lines_per_zone);
-        stepper.stretch = index;
+        stepper.segment = index;
         let mut ahead = stepper.ahead.take().unwrap_or_else(|| {
             let ahead = Ahead {
                 load: first,
@@ -215,7 +215,7 @@ pub(crate) fn run(
                 slope,
                 whole: duration,
                 passed: Clock::default(),
-                end: stretch.start + duration,
+                end: segment.start + duration,
                 longest_step,
                 speed: 0.0,
                 zone,
@@ -228,12 +228,12 @@ pub(crate) fn run(
             break;
         }
         if breaks {
-            stepper.unbounded(stretch.start + duration);
+            stepper.unbounded(segment.start + duration);
             return Ok(stepper.finished());
         }
         // The clock is that of the history, not a sum of steps.
-        if stretch.duration.is_finite() {
-            stepper.base[0] = stretch.start + duration - stepper.memory.time();
+        if segment.duration.is_finite() {
+            stepper.base[0] = segment.start + duration - stepper.memory.time();
             if stepper.memory.time() > 0.0 && stepper.run.work.steps - stepper.rebased_at > stepper.memory.pieces_held() as u64 {
                 stepper.rebase();
             }
@@ -260,7 +260,7 @@ impl Stepper {
             quasi_steady: QuasiSteady::new(terms.clone(), zone),
             memory: Memory::new(terms, zone.at(0.0)),
             undisturbed: 0,
-            doubts: [0.0; 2],
+            uncertainties: [0.0; 2],
             moving: false,
             first_step: false,
             longest_advance: f64::INFINITY,
@@ -272,7 +272,7 @@ impl Stepper {
             uniform: (0.0, 0),
             rebased_at: 0,
             run: Run { samples: Vec::with_capacity(asked.outputs.len()), events: Vec::new(), residual: 0.0, work: GrowthWork::default() },
-            stretch: 0,
+            segment: 0,
             ahead: None,
             looked_at: 0,
         }
@@ -346,7 +346,7 @@ impl Stepper {
         8.0 * f64::EPSILON * (1.0 + load * sums.exposure * (1.0 + self.memory.place.abs() / zone))
     }
 
-    /// A new stretch of load, possibly after a jump of the load. Only a load that jumps can move the tip at once, or leave it behind: no residual of a step can.
+    /// A new segment of load, possibly after a jump of the load. Only a load that jumps can move the tip at once, or leave it behind: no residual of a step can.
     fn enter(&mut self, ahead: &Ahead) {
         let zone = ahead.zone.at(ahead.load);
         let here = Step::none(ahead.load, zone);
@@ -396,7 +396,7 @@ impl Stepper {
         self.grid = Grid::graded(self.memory.place, zone, self.lines_per_zone, layer);
     }
 
-    /// Passes a stretch of load.
+    /// Passes a segment of load.
     fn pass(&mut self, ahead: &mut Ahead, breaks: bool, look: &dyn Fn(&Self)) -> Result<(), Refusal> {
         while ahead.left() > 0.0 && !self.is_over() {
             if self.run.work.steps >= self.looked_at + BETWEEN_LOOKS {

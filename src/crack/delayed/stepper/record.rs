@@ -23,9 +23,9 @@ pub(crate) struct RawEvent {
     pub(crate) speeds: [f64; 2],
     pub(crate) jump: f64,
     /// What is not known of the place, beyond the error of stepping.
-    pub(crate) doubt: f64,
+    pub(crate) uncertainty: f64,
     /// The same of the speeds.
-    pub(crate) speed_doubt: f64,
+    pub(crate) speed_uncertainty: f64,
 }
 
 /// The tip at an output time.
@@ -36,7 +36,7 @@ pub(crate) struct RawSample {
     pub(crate) moving: bool,
     pub(crate) bounded: bool,
     /// What is not known of place and speed, beyond the error of stepping.
-    pub(crate) doubts: [f64; 2],
+    pub(crate) uncertainties: [f64; 2],
 }
 
 /// Work done by a run.
@@ -86,9 +86,9 @@ pub(super) enum Between {
 /// What is not known of a speed within a step, over its difference to the slope of the cubic.
 const WITHIN_PART: f64 = 0.03;
 
-/// Both agree at the middle of a step and at its end, whatever they err by. There the error is that of the parabola: its way lacks the third power of the time, which is known
-/// from the speed at its end, and so is by how much the closure then errs in the place. So many times that much: what follows is a step smaller (30 246 known places and
-/// speeds: no error beyond half of its bar, which is this part).
+/// Both agree at the middle of a step and at its end, whatever they err by. There the error is that of the parabola: its way lacks the third power of the time, which
+/// is known from the speed at its end, and so is by how much the closure then errs in the place. So many times that much: what follows is a step smaller (30 246 known
+/// places and speeds: no error beyond half of its bound, which is this part).
 const PARABOLA_PART: f64 = 2.0;
 
 /// Secants of an output within a step; the cubic of the step is eight digits there, each secant adds as many as the ones before.
@@ -96,15 +96,22 @@ const MOST_SECANTS: u32 = 12;
 
 impl Stepper {
     pub(super) fn event(&mut self, kind: RawKind, speeds: [f64; 2], jump: f64) {
-        let event =
-            RawEvent { kind, time: self.time(), place: self.place(), speeds, jump, doubt: self.doubts[0], speed_doubt: self.doubts[1] };
+        let event = RawEvent {
+            kind,
+            time: self.time(),
+            place: self.place(),
+            speeds,
+            jump,
+            uncertainty: self.uncertainties[0],
+            speed_uncertainty: self.uncertainties[1],
+        };
         self.run.events.push(event);
     }
 
     /// Writes the outputs that lie in a step.
     pub(super) fn write_outputs(&mut self, ahead: &Ahead, duration: f64, advance: f64, speeds: [f64; 2], between: Between) {
         let (start, from) = (self.time(), self.place());
-        // A sum of steps may be an ulp away from the end of a stretch, where the speed may jump: an output there belongs to this side.
+        // A sum of steps may be an ulp away from the end of a segment, where the speed may jump: an output there belongs to this side.
         let end = if ahead.left() <= duration { ahead.end } else { start + duration };
         while let Some(&output) = self.outputs.get(self.run.samples.len()) {
             if output >= end && !(ahead.left() <= duration && output <= end) {
@@ -124,10 +131,10 @@ impl Stepper {
                 let [[place, speed], by_parabola] = within.unwrap_or([read, [0.0; 2]]);
                 // A part of a step from a line that all runs have in common may be the same in all of them.
                 let own = [0.0, WITHIN_PART * (speed - read[1]).abs()];
-                let doubts = [0, 1].map(|of| self.doubts[of] + own[of] + PARABOLA_PART * by_parabola[of]);
-                RawSample { place: from + place, speed, moving: true, bounded: true, doubts }
+                let uncertainties = [0, 1].map(|of| self.uncertainties[of] + own[of] + PARABOLA_PART * by_parabola[of]);
+                RawSample { place: from + place, speed, moving: true, bounded: true, uncertainties }
             } else {
-                RawSample { place: from, speed: 0.0, moving: false, bounded: true, doubts: self.doubts }
+                RawSample { place: from, speed: 0.0, moving: false, bounded: true, uncertainties: self.uncertainties }
             };
             self.run.samples.push(sample);
         }
@@ -173,8 +180,13 @@ impl Stepper {
             if output >= time {
                 break;
             }
-            let sample =
-                RawSample { place: self.place(), speed: self.speed.max(0.0), moving: self.moving, bounded: true, doubts: self.doubts };
+            let sample = RawSample {
+                place: self.place(),
+                speed: self.speed.max(0.0),
+                moving: self.moving,
+                bounded: true,
+                uncertainties: self.uncertainties,
+            };
             self.run.samples.push(sample);
         }
         let event = RawEvent {
@@ -183,16 +195,22 @@ impl Stepper {
             place: self.place(),
             speeds: [self.speed.max(0.0), 0.0],
             jump: 0.0,
-            doubt: self.doubts[0],
-            speed_doubt: self.doubts[1],
+            uncertainty: self.uncertainties[0],
+            speed_uncertainty: self.uncertainties[1],
         };
         self.run.events.push(event);
-        let gone = RawSample { place: self.place(), speed: 0.0, moving: true, bounded: false, doubts: [0.0; 2] };
+        let gone = RawSample { place: self.place(), speed: 0.0, moving: true, bounded: false, uncertainties: [0.0; 2] };
         self.run.samples.resize(self.outputs.len(), gone);
     }
 
     pub(super) fn finished(mut self) -> Run {
-        let last = RawSample { place: self.place(), speed: self.speed.max(0.0), moving: self.moving, bounded: true, doubts: self.doubts };
+        let last = RawSample {
+            place: self.place(),
+            speed: self.speed.max(0.0),
+            moving: self.moving,
+            bounded: true,
+            uncertainties: self.uncertainties,
+        };
         self.run.samples.resize(self.outputs.len(), last);
         let until = self.until * (1.0 + 4.0 * f64::EPSILON);
         self.run.events.retain(|event| event.time <= until);

@@ -43,7 +43,7 @@ impl Stepper {
             let kind = if self.ever_moved { RawKind::Restarts } else { RawKind::Begins };
             self.event(kind, [0.0, self.speed], 0.0);
             self.rests.push(self.memory.place);
-            // What is left of the stretch takes as many steps as a whole one.
+            // What is left of the segment takes as many steps as a whole one.
             ahead.longest_step = 2.0 * ahead.left() / f64::from(self.lines_per_zone);
             self.moving = true;
             self.ever_moved = true;

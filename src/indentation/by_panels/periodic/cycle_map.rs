@@ -1,8 +1,8 @@
 //! One cycle of the contact, or two, from the line of a closed path, by the panels of this room.
 
 use super::super::events::Mark;
+use super::super::integration::Integration;
 use super::super::line::Line;
-use super::super::march::March;
 use super::super::problem::{End, Outcome, Problem};
 use super::super::start::breaks;
 use super::super::trail::Trail;
@@ -69,28 +69,28 @@ impl CycleMap<'_> {
             return Err(not_converged("a chain of the line has no periodic state".into()));
         };
         line.trail = Some(Trail { way: path.map_or(0.0, |path| path.way(0.0)), ..Trail::default() });
-        let mut march = March::new(self.problem, line.edge, self.sinus.mean);
-        march.line = line;
-        march.marks = marks;
-        march.merge();
-        march.branch.memory = self.sinus.memory(&self.problem.chain, 0.0);
-        let row = march.row(None, 0.0);
-        march.outcome.path.clear();
-        march.outcome.wanted.clear();
-        march.met = 0;
-        (march.outcome.start, march.outcome.least_force) = (row, row);
-        march.start_residual = march.sudden(0.0);
+        let mut integration = Integration::new(self.problem, line.edge, self.sinus.mean);
+        integration.line = line;
+        integration.marks = marks;
+        integration.merge();
+        integration.branch.memory = self.sinus.memory(&self.problem.chain, 0.0);
+        let row = integration.row(None, 0.0);
+        integration.outcome.path.clear();
+        integration.outcome.wanted.clear();
+        integration.met = 0;
+        (integration.outcome.start, integration.outcome.least_force) = (row, row);
+        integration.start_residual = integration.sudden(0.0);
         let end = loop {
-            if let Some(end) = march.panel() {
+            if let Some(end) = integration.panel() {
                 break end;
             }
-            if march.outcome.panels + march.outcome.refused > MOST_PANELS {
+            if integration.outcome.panels + integration.outcome.refused > MOST_PANELS {
                 break End::Failed;
             }
         };
-        march.outcome.closures = march.window.closures;
-        march.outcome.kernel_nodes = march.window.kernel_nodes;
-        let (time, radius) = (march.line.time, march.line.edge);
+        integration.outcome.closures = integration.window.closures;
+        integration.outcome.kernel_nodes = integration.window.kernel_nodes;
+        let (time, radius) = (integration.line.time, integration.line.edge);
         let cycle = time / self.period;
         match end {
             End::History => {}
@@ -108,7 +108,7 @@ impl CycleMap<'_> {
                 return Err(not_converged(format!("panels of no length {cycle:.6} cycles from the start, at a = {radius:e} m")));
             }
         }
-        if let Some(jump) = march.outcome.jumps.first() {
+        if let Some(jump) = integration.outcome.jumps.first() {
             return Err(Refusal::Undefined {
                 quantity: "the periodic state of an edge that jumps",
                 reason: format!(
@@ -117,8 +117,8 @@ impl CycleMap<'_> {
                 ),
             });
         }
-        let trail = march.line.trail.take().unwrap_or_default();
-        Ok(Integrated { trail, outcome: march.outcome })
+        let trail = integration.line.trail.take().unwrap_or_default();
+        Ok(Integrated { trail, outcome: integration.outcome })
     }
 }
 

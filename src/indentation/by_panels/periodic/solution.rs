@@ -12,7 +12,7 @@ use super::settled::{Settled, add, settled};
 use super::sinus::Sinus;
 use crate::estimate::Estimate;
 use crate::indentation::{Controlled, Cycle, IndentationProblem, IndentationSolution, IndentationWork, Instant, Segment, Start, Trace};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use std::f64::consts::TAU;
 
@@ -33,7 +33,7 @@ pub struct PeriodicState {
     pub cycle: Cycle<Estimate>,
     /// Mean force (N) and contact radius (m) in time.
     pub mean_force: Estimate,
-    /// The same of the radius.
+    /// The same of the radius (m).
     pub mean_contact_radius: Estimate,
     /// Equally spaced instants of the cycle, its start and end included.
     pub instants: Vec<Instant>,
@@ -66,7 +66,7 @@ impl PeriodicState {
             balance_defect: None,
             smallest_gap_factor: self.smallest_gap,
             reached: self.reached,
-            march: Trace { work: self.work, ..Trace::default() },
+            integration: Trace { work: self.work, ..Trace::default() },
             path_errors: Vec::new(),
             by_panels: true,
             work: self.work,
@@ -80,7 +80,7 @@ impl PeriodicState {
 /// # Errors
 /// [`Refusal::Undefined`] for another history, for what panels do not solve, and for an edge that jumps or turns more than twice a cycle; [`Refusal::NoSuchState`]
 /// where the contact lets go within a cycle; [`Refusal::NotConverged`].
-pub fn solve_periodic(material: &Material, problem: &IndentationProblem, instants: u32) -> Result<PeriodicState, Refusal> {
+pub fn solve_periodic(material: &PlaneMaterial, problem: &IndentationProblem, instants: u32) -> Result<PeriodicState, Refusal> {
     problem.checked()?;
     let (sinus, period) = sinus(problem)?;
     let history = problem.history.segments.iter().map(|segment| Segment { duration: period, ..*segment }).collect();
@@ -151,7 +151,7 @@ struct Found {
 }
 
 fn found(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     (sinus, period): (Sinus, f64),
     (options, instants): (PanelOptions, u32),
@@ -176,7 +176,7 @@ fn found(
     asked.sort_by(|one, other| one.0.total_cmp(&other.0));
     own.energies = energies;
     own.instants = asked.iter().map(|(time, _)| *time).collect();
-    own.drive.stretches.iter_mut().for_each(|stretch| stretch.duration *= CYCLES as f64);
+    own.drive.segments.iter_mut().for_each(|drive_segment| drive_segment.duration *= CYCLES as f64);
     let map = CycleMap { problem: &own, sinus, period, edge };
     let integrated = map.integrated(Some(path))?;
     add(work, &integrated.outcome);
@@ -210,7 +210,7 @@ fn found(
 }
 
 fn compared(
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     (sinus, period): (Sinus, f64),
     (tolerance, instants): (f64, u32),

@@ -3,7 +3,7 @@
 use super::super::table::Table;
 use super::spaced;
 use serde::Deserialize;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// See the module.
@@ -17,7 +17,7 @@ pub(in crate::figures) struct ComplexModulus {
 
 impl ComplexModulus {
     pub(super) fn table(&self) -> Result<Table, Refusal> {
-        let material = Material::standard_solid(1.0, self.stiffening_ratio, 1.0)?;
+        let material = PlaneMaterial::standard_solid(1.0, self.stiffening_ratio, 1.0)?;
         let frequencies = spaced(self.frequencies, self.points, true);
         let moduli = frequencies.iter().map(|frequency| material.complex_modulus(*frequency)).collect::<Result<Vec<_>, _>>()?;
         Ok(Table::exact(&[

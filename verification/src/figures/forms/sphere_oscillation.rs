@@ -7,8 +7,8 @@
 use super::super::table::Table;
 use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
-use viscotack::indentation::{Adhesion, FrequencySweep, History, IndentationProblem, Oscillation, Profile, Start, march};
-use viscotack::material::{Material, RelaxationTerm};
+use viscotack::indentation::{Adhesion, FrequencySweep, History, IndentationProblem, Oscillation, Profile, Start, integrate};
+use viscotack::material::{PlaneMaterial, RelaxationTerm};
 use viscotack::refusal::Refusal;
 
 /// Points of a path that are kept.
@@ -31,14 +31,14 @@ pub(in crate::figures) struct SphereOscillation {
     amplitude: f64,
     /// ωρ at the start and at the end; none: no oscillation.
     frequencies: Option<[f64; 2]>,
-    /// Of one march, as of [`march`]; no second march judges it.
+    /// Of one integration, as of [`integrate`]; no second integration assesses it.
     tolerance: f64,
 }
 
 impl SphereOscillation {
     pub(super) fn table(&self) -> Result<Table, Refusal> {
         let term = RelaxationTerm { modulus: self.stiffening_ratio - 1.0, relaxation_time: 1.0 };
-        let material = Material::from_relaxation(1.0, &[term])?;
+        let material = PlaneMaterial::from_relaxation(1.0, &[term])?;
         let work = PI * self.work_of_adhesion;
         let adhesion = Adhesion { work_of_adhesion: work, process_zone: self.process_zone };
         let history = History::penetration(self.penetration);
@@ -50,7 +50,7 @@ impl SphereOscillation {
         };
         let mut problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, Some(adhesion), history);
         problem.start = Start::Relaxed;
-        let solution = march(&material, &problem, self.tolerance)?;
+        let solution = integrate(&material, &problem, self.tolerance)?;
         let mut columns = [const { Vec::new() }; 7];
         let mut push = |numbers: [f64; 7]| {
             for (column, number) in columns.iter_mut().zip(numbers) {

@@ -1,13 +1,13 @@
-//! The energy release rate of a sphere, G = dU/dA − F dΔ/dA (thesis Eq 4.25), from the account of energies of a march: at pull-off of a retraction
+//! The energy release rate of a sphere, G = dU/dA − F dΔ/dA (thesis Eq 4.25), from the account of energies of an integration: at pull-off of a retraction
 //! from a relaxed contact, or at given penetrations of an approach.
 //!
-//! Over a stretch of the path G is −(∫F dΔ − change of U) over the change of the area A = πa²: exact means, no derivative is taken.
+//! Over a segment of the path G is −(∫F dΔ − change of U) over the change of the area A = πa²: exact means, no derivative is taken.
 
 use super::super::table::Table;
 use serde::Deserialize;
 use std::f64::consts::PI;
 use viscotack::indentation::{Adhesion, Energies, History, IndentationProblem, PathPoint, Profile, run};
-use viscotack::material::{Material, RelaxationTerm};
+use viscotack::material::{PlaneMaterial, RelaxationTerm};
 use viscotack::refusal::Refusal;
 
 /// See the module.
@@ -36,7 +36,7 @@ pub(in crate::figures) struct SphereRelease {
 impl SphereRelease {
     pub(super) fn table(&self) -> Result<Table, Refusal> {
         let term = RelaxationTerm { modulus: self.stiffening_ratio - 1.0, relaxation_time: 1.0 };
-        let material = Material::from_relaxation(1.0, &[term])?;
+        let material = PlaneMaterial::from_relaxation(1.0, &[term])?;
         let work = PI * self.work_of_adhesion;
         let adhesion = Adhesion { work_of_adhesion: work, process_zone: self.process_zone };
         let mut columns = [const { Vec::new() }; 4];
@@ -49,7 +49,7 @@ impl SphereRelease {
                 problem = problem.relaxed();
             }
             let solution = run(&material, &problem)?;
-            let path = &solution.march.path;
+            let path = &solution.integration.path;
             let ratio = solution.pull_off_force().map_or(f64::NAN, |tension| tension.value / (1.5 * work * PI));
             let places: Vec<(f64, usize)> = if self.retraction_from.is_some() {
                 let largest = path.iter().enumerate().min_by(|one, other| one.1.force.total_cmp(&other.1.force));

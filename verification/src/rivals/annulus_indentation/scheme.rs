@@ -76,7 +76,7 @@ struct Trial {
     work: f64,
 }
 
-struct Marcher<'s> {
+struct Integrator<'s> {
     scheme: &'s AnnulusScheme,
     width: f64,
     influence: Mat<f64>,
@@ -104,20 +104,21 @@ impl AnnulusScheme {
         let &[(first_time, first_depth), ..] = corners else {
             return Err(Refusal::out_of_range("corners", 0.0, "at least one"));
         };
-        let mut marcher = Marcher::new(self, corners)?;
+        let mut integrator = Integrator::new(self, corners)?;
         // The first contact is elastic, with A = 0 (glassy) or p/E0 (soft) in the role of (4.17).
         let modulus = match start {
             AnnulusStart::Untouched => self.glassy_modulus,
             AnnulusStart::Relaxed => self.relaxed_modulus,
         };
-        marcher.edge = marcher.influence.nrows() - self.elements_per_zone;
-        let first = marcher.settle(first_depth, 1.0 / modulus, 1.0)?.ok_or(Refusal::NoSuchState {
+        integrator.edge = integrator.influence.nrows() - self.elements_per_zone;
+        let first = integrator.settle(first_depth, 1.0 / modulus, 1.0)?.ok_or(Refusal::NoSuchState {
             reason: "no contact larger than its process zone is in equilibrium at the first penetration".into(),
             limit_name: "the process zone",
             limit: self.process_zone,
         })?;
-        let mut path = AnnulusPath { points: Vec::new(), detached: false, solutions: 0, factorizations: 0, annuli: marcher.memory.len() };
-        marcher.remember(&first.0, 1.0 / modulus, 1.0);
+        let mut path =
+            AnnulusPath { points: Vec::new(), detached: false, solutions: 0, factorizations: 0, annuli: integrator.memory.len() };
+        integrator.remember(&first.0, 1.0 / modulus, 1.0);
         path.points.push(first.1.at(first_time, first_depth));
         'legs: for leg in corners.windows(2) {
             let &[(from_time, from_depth), (to_time, to_depth)] = leg else { continue };
@@ -129,16 +130,16 @@ impl AnnulusScheme {
             for index in 1..=steps as u64 {
                 let part = index as f64 / steps;
                 let depth = from_depth + (to_depth - from_depth) * part;
-                let Some((trial, reading)) = marcher.settle(depth, compliance, 1.0 + implicit)? else {
+                let Some((trial, reading)) = integrator.settle(depth, compliance, 1.0 + implicit)? else {
                     path.detached = true;
                     break 'legs;
                 };
-                marcher.remember(&trial, compliance, 1.0 + implicit);
+                integrator.remember(&trial, compliance, 1.0 + implicit);
                 path.points.push(reading.at(from_time + duration * part, depth));
             }
         }
-        path.solutions = marcher.solutions;
-        path.factorizations = marcher.factorizations;
+        path.solutions = integrator.solutions;
+        path.factorizations = integrator.factorizations;
         Ok(path)
     }
 }
@@ -155,7 +156,7 @@ impl Reading {
     }
 }
 
-impl<'s> Marcher<'s> {
+impl<'s> Integrator<'s> {
     fn new(scheme: &'s AnnulusScheme, corners: &[(f64, f64)]) -> Result<Self, Refusal> {
         require_positive("time_step", scheme.time_step)?;
         require_positive("retardation_time", scheme.retardation_time)?;

@@ -1,15 +1,15 @@
-//! Bars of steady cracks.
+//! Bounds of steady cracks.
 
 use super::super::draw::Draw;
 use super::super::known_states::crack::{KNOWN_TO, known_crack};
-use super::tally::{Compared, Judged, Truth};
+use super::tally::{Assessed, Compared, Truth};
 use super::{ANOTHER_ROUTE, SEED};
 use viscotack::crack::cohesive_zone::CohesiveZone;
 use viscotack::crack::persson_brener::PerssonBrener;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve, SteadyState, at_drive, at_speed};
 use viscotack::estimate::Estimate;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// Tolerances of the root, in turn.
@@ -19,7 +19,7 @@ const TIGHTEST: f64 = 1e-15;
 
 /// A crack of one of three theories, by speed or by a load between its limits.
 struct Asked {
-    material: Material,
+    material: PlaneMaterial,
     motion: Motion,
     interface: Interface,
     theory: usize,
@@ -80,29 +80,29 @@ fn listed(state: &SteadyState) -> Vec<(&'static str, Estimate)> {
     list
 }
 
-/// A scene, judged.
+/// A scene, assessed.
 #[must_use]
-pub fn judged(scene: u64) -> Judged {
+pub fn assessed(scene: u64) -> Assessed {
     let mut draw = Draw::of(SEED ^ 3, scene);
     let tolerance = TOLERANCES[(scene / ANOTHER_ROUTE + scene) as usize % TOLERANCES.len()];
     let another = scene.is_multiple_of(ANOTHER_ROUTE);
     let truth = if another { Truth::Another } else { Truth::Tighter };
-    let mut judged = Judged { scene, accuracy: tolerance, described: String::new(), compared: Vec::new(), truth, trouble: None };
-    let result = if another { against_known(&mut draw, &mut judged) } else { against_tighter(&mut draw, &mut judged) };
+    let mut assessed = Assessed { scene, accuracy: tolerance, described: String::new(), compared: Vec::new(), truth, trouble: None };
+    let result = if another { against_known(&mut draw, &mut assessed) } else { against_tighter(&mut draw, &mut assessed) };
     match result {
-        Ok(compared) => judged.compared = compared,
-        Err(refusal) => judged.trouble = Some(refusal.to_string()),
+        Ok(compared) => assessed.compared = compared,
+        Err(refusal) => assessed.trouble = Some(refusal.to_string()),
     }
-    judged
+    assessed
 }
 
-fn against_tighter(draw: &mut Draw, judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
+fn against_tighter(draw: &mut Draw, assessed: &mut Assessed) -> Result<Vec<Compared>, Refusal> {
     let asked = drawn(draw)?;
-    judged.described = format!(
+    assessed.described = format!(
         "{:?} {:?} theory {} by speed {} {:e}: {:?}",
         asked.motion, asked.interface, asked.theory, asked.by_speed, asked.value, asked.material
     );
-    let (found, exact) = match (asked.solved(judged.accuracy), asked.solved(TIGHTEST)) {
+    let (found, exact) = match (asked.solved(assessed.accuracy), asked.solved(TIGHTEST)) {
         // A load may lie beyond a limit of the theory: both say so.
         (Err(Refusal::NoSuchState { .. }), Err(Refusal::NoSuchState { .. })) => return Ok(Vec::new()),
         (found, exact) => (found?, exact?),
@@ -111,11 +111,11 @@ fn against_tighter(draw: &mut Draw, judged: &mut Judged) -> Result<Vec<Compared>
     Ok(pairs.map(|((quantity, found), (_, truth))| Compared { quantity, found, truth, scale: 0.0, floor: 0.0 }).collect())
 }
 
-fn against_known(draw: &mut Draw, judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
+fn against_known(draw: &mut Draw, assessed: &mut Assessed) -> Result<Vec<Compared>, Refusal> {
     let known = known_crack(draw)?;
-    judged.described = known.described();
+    assessed.described = known.described();
     let curve = VirtualWork::new(&known.material, known.motion, known.interface)?;
-    let found = at_speed(&curve, known.speed, judged.accuracy)?;
+    let found = at_speed(&curve, known.speed, assessed.accuracy)?;
     // What is not known of the drawn speed goes on with the local power of the curve.
     let relative = KNOWN_TO * (2.0 + found.speed_exponent.abs());
     let truth = |value: f64| Estimate::relative(value, relative);

@@ -1,8 +1,8 @@
-//! Bars of cracks under load histories.
+//! Bounds of cracks under load histories.
 
 use super::super::draw::Draw;
 use super::super::known_states::delayed::{KnownTime, known_growth};
-use super::tally::{Compared, Judged, Truth};
+use super::tally::{Assessed, Compared, Truth};
 use super::{ANOTHER_ROUTE, SEED};
 use viscotack::crack::delayed::trajectory::tends_to;
 use viscotack::crack::delayed::{
@@ -10,7 +10,7 @@ use viscotack::crack::delayed::{
 };
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::estimate::Estimate;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// Lines a zone of the coarsest run, in turn: the fewest that a scene takes, and twice as many.
@@ -23,7 +23,7 @@ const MOST_STEPS: u64 = 20_000_000;
 const CLOSED: f64 = 1e-12;
 
 struct Asked {
-    material: Material,
+    material: PlaneMaterial,
     interface: Interface,
     history: LoadHistory,
     times: Vec<f64>,
@@ -66,7 +66,7 @@ fn drawn(draw: &mut Draw) -> Result<Asked, Refusal> {
         }
     };
     let history = LoadHistory::from_segments(&segments)?;
-    let end = history.stretches().last().map_or(span, |stretch| stretch.start).max(span);
+    let end = history.segments().last().map_or(span, |segment| segment.start).max(span);
     let times = [0.37, 0.71, 1.0].map(|part| part * end).to_vec();
     Ok(Asked { material, interface, history, times })
 }
@@ -89,32 +89,32 @@ fn speeds(event: &Event) -> Vec<(&'static str, Estimate)> {
     }
 }
 
-/// A scene, judged.
+/// A scene, assessed.
 #[must_use]
-pub fn judged(scene: u64) -> Judged {
-    judged_of(SEED, scene)
+pub fn assessed(scene: u64) -> Assessed {
+    assessed_of(SEED, scene)
 }
 
-/// A scene of another seed, judged.
+/// A scene of another seed, assessed.
 #[must_use]
-pub fn judged_of(seed: u64, scene: u64) -> Judged {
+pub fn assessed_of(seed: u64, scene: u64) -> Assessed {
     let mut draw = Draw::of(seed ^ 4, scene);
     let lines = LINES[(scene / ANOTHER_ROUTE + scene) as usize % LINES.len()];
     let another = scene.is_multiple_of(ANOTHER_ROUTE);
     let truth = if another { Truth::Another } else { Truth::Tighter };
     let accuracy = 1.0 / f64::from(lines);
-    let mut judged = Judged { scene, accuracy, described: String::new(), compared: Vec::new(), truth, trouble: None };
-    let result = if another { against_known(&mut draw, lines, &mut judged) } else { against_finer(&mut draw, lines, &mut judged) };
+    let mut assessed = Assessed { scene, accuracy, described: String::new(), compared: Vec::new(), truth, trouble: None };
+    let result = if another { against_known(&mut draw, lines, &mut assessed) } else { against_finer(&mut draw, lines, &mut assessed) };
     match result {
-        Ok(compared) => judged.compared = compared,
-        Err(refusal) => judged.trouble = Some(refusal.to_string()),
+        Ok(compared) => assessed.compared = compared,
+        Err(refusal) => assessed.trouble = Some(refusal.to_string()),
     }
-    judged
+    assessed
 }
 
-fn against_finer(draw: &mut Draw, lines: u32, judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
+fn against_finer(draw: &mut Draw, lines: u32, assessed: &mut Assessed) -> Result<Vec<Compared>, Refusal> {
     let asked = drawn(draw)?;
-    judged.described = format!("{lines} lines, {:?}, {:?}, {:?}", asked.material, asked.interface, asked.history);
+    assessed.described = format!("{lines} lines, {:?}, {:?}, {:?}", asked.material, asked.interface, asked.history);
     let (found, exact) = (asked.solved(lines)?, asked.solved(MORE * lines)?);
     let zone = match asked.interface.process_zone {
         ProcessZone::Constant { length } => length,
@@ -130,13 +130,13 @@ fn against_finer(draw: &mut Draw, lines: u32, judged: &mut Judged) -> Result<Vec
             match (found, truth) {
                 (Some(found), Some(truth)) => compared.push(Compared { quantity, found, truth, scale, floor: 0.0 }),
                 (None, None) => {}
-                _ => judged.trouble = Some(format!("{quantity} is there at one resolution and not at the other")),
+                _ => assessed.trouble = Some(format!("{quantity} is there at one resolution and not at the other")),
             }
         }
     }
     for (one, other) in found.events.iter().zip(&exact.events) {
         if std::mem::discriminant(&one.kind) != std::mem::discriminant(&other.kind) {
-            // From here on both tell different stories (a short rest that one of them does not see): the bars of places at times speak for themselves.
+            // From here on both tell different stories (a short rest that one of them does not see): the bounds of places at times speak for themselves.
             break;
         }
         compared.push(Compared { quantity: "time of an event", found: one.time, truth: other.time, scale: until, floor: 0.0 });
@@ -148,9 +148,9 @@ fn against_finer(draw: &mut Draw, lines: u32, judged: &mut Judged) -> Result<Vec
     Ok(compared)
 }
 
-fn against_known(draw: &mut Draw, lines: u32, judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
+fn against_known(draw: &mut Draw, lines: u32, assessed: &mut Assessed) -> Result<Vec<Compared>, Refusal> {
     let known = known_growth(draw)?;
-    judged.described = format!("{lines} lines, {}", known.described());
+    assessed.described = format!("{lines} lines, {}", known.described());
     let problem = GrowthProblem::new(&known.material, known.interface, 0.0)?;
     let found = trajectory(&problem, &known.history, &[known.until], Resolution { lines_per_zone: lines, most_steps: MOST_STEPS })?;
     let mut compared = Vec::new();
@@ -160,7 +160,7 @@ fn against_known(draw: &mut Draw, lines: u32, judged: &mut Judged) -> Result<Vec
                 let truth = Estimate::relative(time, sensitive_to_load(&known.material, time));
                 compared.push(Compared { quantity: "start of growth", found: *started, truth, scale: known.until, floor: 0.0 });
             }
-            _ => judged.trouble = Some("no growth".into()),
+            _ => assessed.trouble = Some("no growth".into()),
         },
         KnownTime::Place { growth, speed, .. } => match found.samples.first() {
             Some(sample) => {
@@ -172,14 +172,14 @@ fn against_known(draw: &mut Draw, lines: u32, judged: &mut Judged) -> Result<Vec
                     compared.push(Compared { quantity, found, truth: Estimate::new(value, rounding), scale: growth, floor: 0.0 });
                 }
             }
-            None => judged.trouble = Some("no sample".into()),
+            None => assessed.trouble = Some("no sample".into()),
         },
     }
     Ok(compared)
 }
 
 /// Relative error of a start whose load is rounded: dln t/dln K = 2J/(t dJ/dt), a few ulp of K.
-fn sensitive_to_load(material: &Material, time: f64) -> f64 {
+fn sensitive_to_load(material: &PlaneMaterial, time: f64) -> f64 {
     let rate = material.creep_rate(time) * time;
     8.0 * f64::EPSILON * (1.0 + 2.0 * material.creep(time) / rate)
 }

@@ -1,11 +1,11 @@
-//! Bars of steady sliding contacts.
+//! Bounds of steady sliding contacts.
 
 use super::super::draw::Draw;
 use super::super::known_states::sliding::{KNOWN_TO, known_contact};
-use super::tally::{Compared, Judged, Truth};
+use super::tally::{Assessed, Compared, Truth};
 use super::{ANOTHER_ROUTE, SEED};
 use viscotack::estimate::Estimate;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::steady::{
     Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, SlidingWork, WaveAdhesion, steady_sliding,
@@ -17,18 +17,18 @@ const ACCURACIES: [f64; 3] = [1e-3, 1e-5, 1e-7];
 const MORE: f64 = 1e-3;
 /// See [`MORE`].
 const FLOOR: f64 = 1e-10;
-/// Another contact than the known one is told by a half-width that is further off than this.
-const ELSEWHERE: f64 = 1e-3;
+/// Another contact than the known one is shown by a half-width that is further off than this.
+const ANOTHER_CONTACT: f64 = 1e-3;
 
 /// A random problem: everything that a user may ask of a wave or a cylinder.
 ///
 /// # Errors
 /// Those of making a material.
-pub fn drawn(draw: &mut Draw) -> Result<(Material, SlidingProblem<'static>), Refusal> {
+pub fn drawn(draw: &mut Draw) -> Result<(PlaneMaterial, SlidingProblem<'static>), Refusal> {
     let terms = [1, 2, 6, 12][draw.below(4)];
     let beta = draw.log_between(1.1, 1000.0);
     let (relaxed, longest, decades) = (draw.log_between(1e3, 1e9), draw.log_between(1e-4, 1e4), draw.between(0.3, 8.0));
-    let material = if draw.chance(0.05) { Material::elastic(relaxed)? } else { draw.solid(relaxed, beta, longest, terms, decades)? };
+    let material = if draw.chance(0.05) { PlaneMaterial::elastic(relaxed)? } else { draw.solid(relaxed, beta, longest, terms, decades)? };
     let indenter = if draw.chance(0.75) { Indenter::Wave } else { Indenter::Parabola };
     let (work, zones) = (draw.log_between(1e-4, 0.05), [draw.log_between(1e-4, 0.03), draw.log_between(1e-4, 0.03)]);
     let adhesion = draw.chance(0.8).then_some(WaveAdhesion {
@@ -68,38 +68,38 @@ pub fn listed(values: &PartialValues) -> Vec<(&'static str, Estimate)> {
     list
 }
 
-/// A scene, judged.
+/// A scene, assessed.
 #[must_use]
-pub fn judged(scene: u64) -> Judged {
+pub fn assessed(scene: u64) -> Assessed {
     let mut draw = Draw::of(SEED ^ 1, scene);
     let accuracy = ACCURACIES[(scene / ANOTHER_ROUTE + scene) as usize % ACCURACIES.len()];
-    let mut judged = Judged { scene, accuracy, described: String::new(), compared: Vec::new(), truth: Truth::Tighter, trouble: None };
+    let mut assessed = Assessed { scene, accuracy, described: String::new(), compared: Vec::new(), truth: Truth::Tighter, trouble: None };
     if scene.is_multiple_of(ANOTHER_ROUTE) {
-        judged.truth = Truth::Another;
-        against_known(&mut draw, &mut judged);
-        return judged;
+        assessed.truth = Truth::Another;
+        against_known(&mut draw, &mut assessed);
+        return assessed;
     }
     let (material, problem) = match drawn(&mut draw) {
         Ok(drawn) => drawn,
         Err(refusal) => {
-            judged.trouble = Some(refusal.to_string());
-            return judged;
+            assessed.trouble = Some(refusal.to_string());
+            return assessed;
         }
     };
-    judged.described = format!("{material:?} {problem:?}");
+    assessed.described = format!("{material:?} {problem:?}");
     let found = steady_sliding(&material, &SlidingProblem { accuracy, ..problem });
     let exact = steady_sliding(&material, &SlidingProblem { accuracy: (MORE * accuracy).max(FLOOR), ..problem });
     match (found, exact) {
         (Ok(SlidingOutcome::Partial(found)), Ok(SlidingOutcome::Partial(exact))) => {
             let pairs = listed(&found.values).into_iter().zip(listed(&exact.values));
-            judged.compared =
+            assessed.compared =
                 pairs.map(|((quantity, found), (_, truth))| Compared { quantity, found, truth, scale: 1.0, floor: 0.0 }).collect();
             if found.certificate.accuracy > accuracy {
-                judged.trouble = Some(format!("accuracy not reached: {:.1e}", found.certificate.accuracy));
+                assessed.trouble = Some(format!("accuracy not reached: {:.1e}", found.certificate.accuracy));
             }
         }
         (Ok(SlidingOutcome::Full(found)), Ok(SlidingOutcome::Full(exact))) => {
-            judged.compared = vec![Compared {
+            assessed.compared = vec![Compared {
                 quantity: "friction stress",
                 found: found.friction_stress,
                 truth: exact.friction_stress,
@@ -114,26 +114,26 @@ pub fn judged(scene: u64) -> Judged {
                 Ok(SlidingOutcome::Full(_)) => "full contact".to_owned(),
                 Err(refusal) => refusal.to_string(),
             };
-            judged.trouble = Some(format!("{} at {accuracy:e}, but {} for the truth", word(&found), word(&exact)));
+            assessed.trouble = Some(format!("{} at {accuracy:e}, but {} for the truth", word(&found), word(&exact)));
         }
     }
-    judged
+    assessed
 }
 
-fn against_known(draw: &mut Draw, judged: &mut Judged) {
+fn against_known(draw: &mut Draw, assessed: &mut Assessed) {
     let known = match known_contact(draw) {
         Ok(known) => known,
         Err(refusal) => {
-            judged.trouble = Some(refusal.to_string());
+            assessed.trouble = Some(refusal.to_string());
             return;
         }
     };
-    judged.described = known.described();
-    match steady_sliding(&known.material, &known.problem(judged.accuracy)) {
+    assessed.described = known.described();
+    match steady_sliding(&known.material, &known.problem(assessed.accuracy)) {
         Ok(SlidingOutcome::Partial(found)) => {
             let values = listed(&found.values);
             let at = |name: &str| values.iter().find(|(quantity, _)| *quantity == name).map(|(_, estimate)| *estimate);
-            judged.compared = known
+            assessed.compared = known
                 .values()
                 .into_iter()
                 .filter_map(|(quantity, value)| {
@@ -142,14 +142,14 @@ fn against_known(draw: &mut Draw, judged: &mut Judged) {
                 })
                 .collect();
             let (a, e, p) = (found.values.half_width.value, found.values.eccentricity.value, found.values.mean_pressure.value);
-            let elsewhere = (a - known.half_width).abs() > ELSEWHERE || (e - known.eccentricity).abs() > ELSEWHERE;
+            let is_another = (a - known.half_width).abs() > ANOTHER_CONTACT || (e - known.eccentricity).abs() > ANOTHER_CONTACT;
             // A load may have more than one contact: another one, confirmed by the same route, is no miss.
-            if elsewhere && known.defect_at(a, e, p).is_some_and(|defect| defect < 30.0 * judged.accuracy.max(1e-6)) {
-                judged.compared.clear();
+            if is_another && known.defect_at(a, e, p).is_some_and(|defect| defect < 30.0 * assessed.accuracy.max(1e-6)) {
+                assessed.compared.clear();
             }
         }
-        Ok(SlidingOutcome::Full(full)) => judged.trouble = Some(format!("full contact ({} {:e})", full.limit_name, full.limit)),
-        Err(refusal) => judged.trouble = Some(refusal.to_string()),
+        Ok(SlidingOutcome::Full(full)) => assessed.trouble = Some(format!("full contact ({} {:e})", full.limit_name, full.limit)),
+        Err(refusal) => assessed.trouble = Some(refusal.to_string()),
     }
 }
 

@@ -1,12 +1,12 @@
-//! Bars of pull-off, snap-in, separation and toughness of a sliding wave.
+//! Bounds of pull-off, snap-in, separation and toughness of a sliding wave.
 //!
 //! The other route finds pull-off as the least load of contacts of held half-widths, without a branch and without fold equations.
 
 use super::super::draw::Draw;
-use super::tally::{Compared, Judged, Truth};
+use super::tally::{Assessed, Compared, Truth};
 use super::{ANOTHER_ROUTE, SEED};
 use viscotack::estimate::Estimate;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::{BranchProblem, Strength, strength};
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
@@ -17,10 +17,10 @@ const ACCURACIES: [f64; 2] = [1e-3, 1e-5];
 const TIGHTER: f64 = 1e-8;
 /// Half-widths beside that of pull-off, over it.
 const STEP: f64 = 0.004;
-/// What five half-widths know of the least load, over one: the sixth difference of the load, h⁴ of its own size, and the bars of the five.
+/// What five half-widths know of the least load, over one: the sixth difference of the load, h⁴ of its own size, and the bounds of the five.
 const BY_WIDTHS: f64 = 3e-8;
 
-fn drawn(draw: &mut Draw) -> Result<(Material, BranchProblem<'static>), Refusal> {
+fn drawn(draw: &mut Draw) -> Result<(PlaneMaterial, BranchProblem<'static>), Refusal> {
     let terms = 1 + draw.below(3);
     let (beta, longest, decades) = (draw.log_between(1.5, 30.0), draw.log_between(1e-3, 1e3), draw.between(0.3, 3.0));
     let relaxed = draw.log_between(1e3, 1e9);
@@ -40,15 +40,15 @@ fn listed(strength: &Strength) -> Vec<(&'static str, Option<Estimate>)> {
     ]
 }
 
-/// A scene, judged.
+/// A scene, assessed.
 #[must_use]
-pub fn judged(scene: u64) -> Judged {
+pub fn assessed(scene: u64) -> Assessed {
     let accuracy = ACCURACIES[(scene / ANOTHER_ROUTE + scene) as usize % ACCURACIES.len()];
     let another = scene.is_multiple_of(ANOTHER_ROUTE);
     let truth = if another { Truth::Another } else { Truth::Tighter };
-    let mut judged = Judged { scene, accuracy, described: String::new(), compared: Vec::new(), truth, trouble: None };
+    let mut assessed = Assessed { scene, accuracy, described: String::new(), compared: Vec::new(), truth, trouble: None };
     let result = drawn(&mut Draw::of(SEED ^ 2, scene)).and_then(|(material, problem)| {
-        judged.described = format!("{material:?} {problem:?}");
+        assessed.described = format!("{material:?} {problem:?}");
         let found = strength(&material, &BranchProblem { accuracy, ..problem })?;
         if another {
             return Ok(by_widths(&material, &problem, &found).into_iter().collect());
@@ -68,21 +68,21 @@ pub fn judged(scene: u64) -> Judged {
         Ok(compared)
     });
     match result {
-        Ok(compared) => judged.compared = compared,
-        Err(refusal) => judged.trouble = Some(refusal.to_string()),
+        Ok(compared) => assessed.compared = compared,
+        Err(refusal) => assessed.trouble = Some(refusal.to_string()),
     }
-    judged
+    assessed
 }
 
 /// Pull-off as the least load of five half-widths.
-fn by_widths(material: &Material, problem: &BranchProblem<'_>, found: &Strength) -> Option<Compared> {
+fn by_widths(material: &PlaneMaterial, problem: &BranchProblem<'_>, found: &Strength) -> Option<Compared> {
     let fold = found.pull_off.as_ref()?;
     let least = least_load(material, problem, fold.contact.half_width.value, STEP)?;
     Some(Compared { quantity: "pull-off", found: fold.value, truth: Estimate::new(least, BY_WIDTHS), scale: 1.0, floor: 0.0 })
 }
 
 /// The least load of contacts of five held half-widths, `step` over the middle one apart; none if it is not among them.
-pub(in crate::studies) fn least_load(material: &Material, problem: &BranchProblem<'_>, middle: f64, step: f64) -> Option<f64> {
+pub(in crate::studies) fn least_load(material: &PlaneMaterial, problem: &BranchProblem<'_>, middle: f64, step: f64) -> Option<f64> {
     let load = |part: f64| -> Option<f64> {
         let asked = SlidingProblem {
             rate: problem.rate,

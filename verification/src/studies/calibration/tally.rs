@@ -1,15 +1,15 @@
-//! Bars against true errors: misses, how wide bars are, and what accuracy takes.
+//! Bounds against true errors: misses, how wide bounds are, and what accuracy takes.
 //!
-//! A bar is missed where |value − truth| > bar + bar of the truth. How wide it is, bar/|value − truth|, can be told where the truth is known ten times better than the
-//! bar and the bar is above rounding and stated floors; an error below what is known of the truth counts as that much.
+//! A bound is missed where |value − truth| > bound + bound of the truth. How wide it is, bound/|value − truth|, can be known where the truth is known ten times better
+//! than the bound and the bound is above rounding and stated floors; an error below what is known of the truth counts as that much.
 
 use viscotack::estimate::Estimate;
 
-/// Bars below so many ulp of the value or of its scale are rounding.
+/// Bounds below so many ulp of the value or of its scale are rounding.
 const ROUNDING: f64 = 4096.0 * f64::EPSILON;
-/// So are bars that are less than so many times a stated floor, most of which is the floor.
+/// So are bounds that are less than so many times a stated floor, most of which is the floor.
 const FLOORS: f64 = 2.0;
-/// The truth must be known so much better than the bar.
+/// The truth must be known so much better than the bound.
 const BETTER: f64 = 10.0;
 
 /// Where a truth comes from.
@@ -37,7 +37,7 @@ pub struct Compared {
 }
 
 impl Compared {
-    /// Whether the bar does not reach the truth.
+    /// Whether the bound does not reach the truth.
     #[must_use]
     pub fn is_missed(&self) -> bool {
         let off = (self.found.value - self.truth.value).abs();
@@ -46,7 +46,7 @@ impl Compared {
         off.is_nan() || reach.is_nan() || off > reach
     }
 
-    /// Bar over true error, where it can be told.
+    /// Bound over true error, where it can be known.
     #[must_use]
     pub fn width(&self) -> Option<f64> {
         let floor = (ROUNDING * self.found.value.abs().max(self.scale)).max(FLOORS * self.floor);
@@ -59,7 +59,7 @@ impl Compared {
 
 /// One scene: its numbers beside their truths, or what went wrong.
 #[derive(Debug, Clone)]
-pub struct Judged {
+pub struct Assessed {
     /// Its number in the stream.
     pub scene: u64,
     /// The accuracy asked for.
@@ -70,11 +70,11 @@ pub struct Judged {
     pub compared: Vec<Compared>,
     /// Where the truth comes from.
     pub truth: Truth,
-    /// What went wrong besides missed bars: an answer that is lost at another accuracy, or an accuracy that was not reached.
+    /// What went wrong besides missed bounds: an answer that is lost at another accuracy, or an accuracy that was not reached.
     pub trouble: Option<String>,
 }
 
-/// Bars of a problem, counted.
+/// Bounds of a problem, counted.
 #[derive(Debug, Clone, Default)]
 pub struct Tally {
     /// Scenes.
@@ -85,20 +85,20 @@ pub struct Tally {
     pub by_another_route: usize,
     /// Numbers compared.
     pub values: usize,
-    /// Missed bars: scene, quantity, value, bar, truth.
+    /// Missed bounds: scene, quantity, value, bound, truth.
     pub misses: Vec<(u64, Compared)>,
     /// Scenes with trouble.
     pub troubles: Vec<(u64, String)>,
-    /// Bar over true error, sorted.
+    /// Bound over true error, sorted.
     pub widths: Vec<f64>,
 }
 
 impl Tally {
     /// Counts scenes.
     #[must_use]
-    pub fn of(judged: &[Judged]) -> Self {
-        let mut tally = Self { scenes: judged.len(), ..Self::default() };
-        for scene in judged {
+    pub fn of(assessed: &[Assessed]) -> Self {
+        let mut tally = Self { scenes: assessed.len(), ..Self::default() };
+        for scene in assessed {
             tally.solved += usize::from(!scene.compared.is_empty());
             tally.by_another_route += usize::from(scene.truth == Truth::Another);
             tally.values += scene.compared.len();
@@ -110,7 +110,7 @@ impl Tally {
         tally
     }
 
-    /// A quantile of bar over true error; none without any.
+    /// A quantile of bound over true error; none without any.
     #[must_use]
     pub fn width(&self, part: f64) -> Option<f64> {
         let last = self.widths.len().checked_sub(1)?;

@@ -1,13 +1,13 @@
-//! Bars of spheres of solids with up to twenty times over up to twelve decades, at accuracies of 1e-3 to 1e-6.
+//! Bounds of spheres of solids with up to twenty times over up to twelve decades, at accuracies of 1e-3 to 1e-6.
 //!
-//! An edge that lets go of such a solid runs away through all of its times, and one that creeps has layers behind it that no panel resolves.
+//! An edge that lets go of such a solid accelerates through all of its times, and one that creeps has layers behind it that no panel resolves.
 
 use super::super::draw::Draw;
-use super::tally::Judged;
+use super::tally::Assessed;
 use super::{SEED, sphere};
 use std::f64::consts::PI;
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Profile, run};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// Accuracies asked for, in turn.
@@ -17,7 +17,7 @@ const MOST_TERMS: usize = 20;
 /// Decades between the times at most.
 const DECADES: f64 = 12.0;
 
-fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(Material, IndentationProblem), Refusal> {
+fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(PlaneMaterial, IndentationProblem), Refusal> {
     let (modulus, radius, time) = (draw.log_between(1e-2, 1e7), draw.log_between(1e-4, 1e2), draw.log_between(1e-3, 1e3));
     let (beta, terms) = (1.0 + draw.log_between(0.25, 1e3), 1 + draw.below(MOST_TERMS));
     // More wide ones than narrow.
@@ -45,18 +45,18 @@ fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(Material, IndentationProblem
     Ok((material, if kind == 4 { problem.relaxed() } else { problem }))
 }
 
-/// Material and history of a scene whose truth is a tighter march.
+/// Material and history of a scene whose truth is a tighter integration.
 ///
 /// # Errors
 /// A drawn number out of range; none is.
-pub fn problem(scene: u64, accuracy: f64) -> Result<(Material, IndentationProblem), Refusal> {
+pub fn problem(scene: u64, accuracy: f64) -> Result<(PlaneMaterial, IndentationProblem), Refusal> {
     drawn(&mut Draw::of(SEED ^ 6, scene), accuracy)
 }
 
-/// A scene, judged.
+/// A scene, assessed.
 #[must_use]
-pub fn judged(scene: u64) -> Judged {
-    sphere::judged_of(Draw::of(SEED ^ 6, scene), scene, &ACCURACIES, drawn)
+pub fn assessed(scene: u64) -> Assessed {
+    sphere::assessed_of(Draw::of(SEED ^ 6, scene), scene, &ACCURACIES, drawn)
 }
 
 /// Evaluations of the edge condition at 1e-3 and at 1e-9.

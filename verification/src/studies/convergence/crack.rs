@@ -7,12 +7,12 @@ use crate::studies::section::{Check, Effort, Progress, Section};
 use viscotack::crack::delayed::trajectory::places_of_one_run;
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Resolution, trajectory};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
-use viscotack::material::{CreepTerm, Material};
+use viscotack::material::{CreepTerm, PlaneMaterial};
 use viscotack::refusal::Refusal;
 
 /// A solid and an interface whose numbers are nothing like one.
 pub(in crate::studies) struct Case {
-    pub(in crate::studies) material: Material,
+    pub(in crate::studies) material: PlaneMaterial,
     pub(in crate::studies) interface: Interface,
     pub(in crate::studies) zone: f64,
     pub(in crate::studies) intensity: f64,
@@ -33,7 +33,7 @@ pub(in crate::studies) const LAST: usize = 6;
 
 /// The case of the convergence and of the work-precision study.
 pub(in crate::studies) fn case() -> Result<Case, Refusal> {
-    let material = Material::standard_solid(RELAXED, BETA * RELAXED, TIME)?;
+    let material = PlaneMaterial::standard_solid(RELAXED, BETA * RELAXED, TIME)?;
     let process_zone = ProcessZone::Constant { length: ZONE };
     let interface = Interface { work_of_adhesion: WORK, process_zone, body: CrackBody::AgainstRigid };
     let known = KnownGrowth::new(TIME, BETA, LOAD, 8);
@@ -128,7 +128,7 @@ fn computed(effort: Effort) -> Result<(Panel, Check), Refusal> {
                     order: 3.0,
                     least: 2.7,
                     most: 3.4,
-                    reason: "the run with 4 times the lines, to which the other three are the error bar",
+                    reason: "the run with 4 times the lines, to which the other three are the error bound",
                 },
             },
             true,
@@ -174,8 +174,8 @@ fn computed(effort: Effort) -> Result<(Panel, Check), Refusal> {
         headline: false,
     };
     let check = Check::new(
-        "error bars of growth hold against the closed form",
-        "no place off by more than its bar, at any number of lines",
+        "error bounds of growth hold against the closed form",
+        "no place off by more than its bound, at any number of lines",
         format!("{outside} outside"),
         outside == 0,
     );
@@ -183,8 +183,8 @@ fn computed(effort: Effort) -> Result<(Panel, Check), Refusal> {
 }
 
 /// Equal creep terms a decade apart, as slow as the slowest time; E0 and β with it.
-pub(in crate::studies) fn decades(relaxed: f64, beta: f64, slowest: f64, terms: i32) -> Result<Material, Refusal> {
+pub(in crate::studies) fn decades(relaxed: f64, beta: f64, slowest: f64, terms: i32) -> Result<PlaneMaterial, Refusal> {
     let compliance = (1.0 - 1.0 / beta) / relaxed / f64::from(terms);
     let terms: Vec<CreepTerm> = (0..terms).map(|index| CreepTerm { compliance, retardation_time: slowest * 10f64.powi(-index) }).collect();
-    Material::from_creep(relaxed * beta, &terms, None)
+    PlaneMaterial::from_creep(relaxed * beta, &terms, None)
 }

@@ -3,7 +3,7 @@
 //! | file | solver | fineness | rival |
 //! |---|---|---|---|
 //! | [`sliding`] | contacts with given edges | Gauss points of a panel | collocation as the thesis prints it, and with aligned windows |
-//! | [`sphere`] | the march | steps of the path | dense annuli |
+//! | [`sphere`] | the integration | steps of the path | dense annuli |
 //! | [`crack`] | growth under a load | grid lines of a process zone | stepping as the thesis prints it |
 //! | [`zone`] | all three | 1/δ | closed forms of δ = 0 |
 //!

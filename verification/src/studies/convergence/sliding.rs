@@ -7,7 +7,7 @@ use crate::studies::section::{Check, Effort, Progress, Section};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::Arc;
-use viscotack::material::{CreepTerm, Material};
+use viscotack::material::{CreepTerm, PlaneMaterial};
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, ProcessZone, Resolution, WaveContact};
 use viscotack::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
@@ -43,11 +43,11 @@ struct Held {
 }
 
 /// A solid of E0 = 1.1 MPa with equal creep terms, ζ_j = τ_j at the rate one.
-pub(in crate::studies) fn equal_terms(beta: f64, ratios: &[f64]) -> Result<Material, Refusal> {
+pub(in crate::studies) fn equal_terms(beta: f64, ratios: &[f64]) -> Result<PlaneMaterial, Refusal> {
     let relaxed = 1.1e6;
     let compliance = (1.0 - 1.0 / beta) / relaxed / ratios.len() as f64;
     let terms: Vec<CreepTerm> = ratios.iter().map(|&retardation_time| CreepTerm { compliance, retardation_time }).collect();
-    Material::from_creep(relaxed * beta, &terms, None)
+    PlaneMaterial::from_creep(relaxed * beta, &terms, None)
 }
 
 fn held(state: &State) -> Result<Held, Refusal> {
@@ -209,7 +209,7 @@ fn computed(effort: Effort) -> Result<([Panel; 2], Check), Refusal> {
     };
     let levels = Check::new(
         "levels of resolution are as good as they say",
-        "at most 1e-4, 1e-7, 1e-10 for coarse, medium, fine: error bars and stopping rest on it",
+        "at most 1e-4, 1e-7, 1e-10 for coarse, medium, fine: error bounds and stopping rest on it",
         kept.iter().map(|(found, _)| format!("{found:.1e}")).collect::<Vec<_>>().join(", "),
         kept.iter().all(|(found, promised)| found <= promised),
     );

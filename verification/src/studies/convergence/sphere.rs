@@ -1,4 +1,4 @@
-//! The march of a sphere: steps of ours, annuli of the rival, on the retraction that the stored annuli have.
+//! The integration of a sphere: steps of ours, annuli of the rival, on the retraction that the stored annuli have.
 
 use super::Panel;
 use crate::rivals::annulus_indentation::{AnnulusPath, AnnulusScheme, AnnulusStart};
@@ -7,8 +7,8 @@ use crate::studies::reference::{SPHERE_ANNULI, rows};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use rayon::prelude::*;
 use std::f64::consts::PI;
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, march};
-use viscotack::material::Material;
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, integrate};
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// γ̃ = 1.6e-4, δ̃ = 0.013, β = 10 (thesis chapter 4), E0* = R = ρ = 1, τ = 10.
@@ -18,7 +18,7 @@ pub(in crate::studies) const ZONE: f64 = 0.013;
 /// Speed of the retraction, and how long it is followed: past the largest tension.
 const SPEED: f64 = 2e-3;
 const END: f64 = 18.0;
-/// Speeds and durations over which the order of the march is a mean: from slow to fast, the fastest until after the contact has let go.
+/// Speeds and durations over which the order of the integration is a mean: from slow to fast, the fastest until after the contact has let go.
 const PULLED: [(f64, f64); 7] = [(2e-4, 180.0), (4e-4, 90.0), (1e-3, 36.0), (SPEED, END), (4e-3, 6.6), (1e-2, 1.65), (2e-2, 0.6)];
 /// Instants that are compared: every two seconds.
 pub(in crate::studies) const INSTANTS: u32 = 9;
@@ -28,8 +28,8 @@ const LOOSEST: f64 = 1e-2;
 const START: f64 = 3.280_536_944_6e-2;
 
 /// β = 10, τ = 10.
-pub(in crate::studies) fn solid() -> Result<Material, Refusal> {
-    Material::standard_solid(1.0, 10.0, 10.0)
+pub(in crate::studies) fn solid() -> Result<PlaneMaterial, Refusal> {
+    PlaneMaterial::standard_solid(1.0, 10.0, 10.0)
 }
 
 /// The retraction at an accuracy.
@@ -113,11 +113,11 @@ pub(in crate::studies) fn against_stored(forces: &[f64]) -> Option<[f64; 2]> {
 }
 
 pub(in crate::studies) fn study(effort: Effort, progress: &Progress) -> Section {
-    let mut section = Section::new("convergence_sphere", "Convergence: the march of a sphere");
+    let mut section = Section::new("convergence_sphere", "Convergence: the integration of a sphere");
     progress.expect(1);
     section.say(
         "A sphere is retracted from a relaxed contact past its largest tension (thesis Fig 4.5: γ̃ = 1.6·10⁻⁴, δ̃ = 0.013, β = 10, V = 2·10⁻³). This program chooses its \
-         steps by a tolerance, so the fineness is the number of steps that came out. The thesis's annuli have the edge on nodes. The truth is the march at 10⁻⁹ \
+         steps by a tolerance, so the fineness is the number of steps that came out. The thesis's annuli have the edge on nodes. The truth is the integration at 10⁻⁹ \
          with its own error far below, confirmed by the stored, extrapolated annuli of another program.",
     );
     match computed(effort) {
@@ -125,15 +125,17 @@ pub(in crate::studies) fn study(effort: Effort, progress: &Progress) -> Section 
             panel.into_section(&mut section);
             section.checks.extend(checks);
         }
-        Err(refusal) => section.checks.push(Check::new("the march of a sphere", "every march ends", refusal.to_string(), false)),
+        Err(refusal) => {
+            section.checks.push(Check::new("the integration of a sphere", "every integration ends", refusal.to_string(), false))
+        }
     }
     progress.advance(1);
     section
 }
 
-/// The truth of both studies: forces of the march at its tightest.
+/// The truth of both studies: forces of the integration at its tightest.
 pub(in crate::studies) fn truth() -> Result<Vec<f64>, Refusal> {
-    Ok(forces(&march(&solid()?, &retraction(1e-9), 1e-9)?))
+    Ok(forces(&integrate(&solid()?, &retraction(1e-9), 1e-9)?))
 }
 
 fn computed(effort: Effort) -> Result<(Panel, Vec<Check>), Refusal> {
@@ -141,7 +143,7 @@ fn computed(effort: Effort) -> Result<(Panel, Vec<Check>), Refusal> {
     let half_decades: u32 = effort.choose(10, 12);
     let truths: Vec<Vec<f64>> = PULLED
         .par_iter()
-        .map(|&(speed, duration)| Ok(forces(&march(&material, &pulled(speed, duration, 1e-9), 1e-9)?)))
+        .map(|&(speed, duration)| Ok(forces(&integrate(&material, &pulled(speed, duration, 1e-9), 1e-9)?)))
         .collect::<Result<_, Refusal>>()?;
     let ours: Vec<(f64, f64)> = (0..=half_decades)
         .into_par_iter()
@@ -149,7 +151,7 @@ fn computed(effort: Effort) -> Result<(Panel, Vec<Check>), Refusal> {
             let tolerance = LOOSEST * 10f64.powf(-0.5 * f64::from(step));
             let (mut steps, mut errors) = (0.0, 0.0);
             for ((speed, duration), truth) in PULLED.iter().zip(&truths) {
-                let trace = march(&material, &pulled(*speed, *duration, tolerance), tolerance)?;
+                let trace = integrate(&material, &pulled(*speed, *duration, tolerance), tolerance)?;
                 steps += (trace.work.steps as f64).ln();
                 errors += root_mean_square(&forces(&trace), truth).max(1e-18).ln();
             }
@@ -167,7 +169,7 @@ fn computed(effort: Effort) -> Result<(Panel, Vec<Check>), Refusal> {
             Convergence {
                 name: "this program, steps".into(),
                 points: ours,
-                // Errors go with the tolerance, and the truth is a march at 1e-9.
+                // Errors go with the tolerance, and the truth is an integration at 1e-9.
                 floor: 1e-12,
                 fitted: 20,
                 expected: Expectation::Order {
@@ -200,7 +202,7 @@ fn computed(effort: Effort) -> Result<(Panel, Vec<Check>), Refusal> {
         identifier: "steps",
         caption: "Error of the force at nine instants, over the largest force: of this program against its steps (root mean square, geometric mean over seven speeds), \
                   of the annuli against annuli of a process zone (largest, V = 2·10⁻³).",
-        fineness: ("steps or annuli", "steps of the march, annuli of a zone"),
+        fineness: ("steps or annuli", "steps of the integration, annuli of a zone"),
         error: r"error of $F/F_{\mathrm{max}}$",
         curves,
         headline: false,

@@ -2,7 +2,7 @@
 
 use crate::studies::reference::{Row, SLIDING_WAVE, rows};
 use crate::studies::section::Check;
-use viscotack::material::{CreepTerm, Material};
+use viscotack::material::{CreepTerm, PlaneMaterial};
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Prescribed, WaveContact};
 
@@ -26,7 +26,7 @@ pub(super) fn against_reference() -> Check {
 }
 
 /// The relaxation state of a row: terms `j:ζ`.
-pub(in crate::studies) fn material_of(row: &Row) -> Result<Material, Refusal> {
+pub(in crate::studies) fn material_of(row: &Row) -> Result<PlaneMaterial, Refusal> {
     let relaxed = 1.1e6;
     let terms: Vec<CreepTerm> = row
         .text("terms")
@@ -38,7 +38,7 @@ pub(in crate::studies) fn material_of(row: &Row) -> Result<Material, Refusal> {
         })
         .collect();
     let glassy = 1.0 - terms.iter().map(|term| term.compliance * relaxed).sum::<f64>();
-    Material::from_creep(relaxed / glassy, &terms, None)
+    PlaneMaterial::from_creep(relaxed / glassy, &terms, None)
 }
 
 fn difference(row: &Row) -> Result<Option<f64>, Refusal> {

@@ -16,7 +16,7 @@ use viscotack::continuation::two_unknowns::{TwoEquations, TwoResiduals};
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
 use viscotack::elastic::{EquilibriumBranch, JkrSphere};
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, elastic_contact, march};
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, elastic_contact, integrate};
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Indenter, Prescribed, Resolution, WaveContact};
 use viscotack::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
@@ -198,7 +198,7 @@ fn pull_off(speed: f64, zone: f64) -> Result<f64, Refusal> {
     let history = History::penetration(START).at_speed(-0.12, speed);
     let adhesion = Some(Adhesion { work_of_adhesion: WORK, process_zone: zone });
     let problem = IndentationProblem::new(SPHERE, adhesion, history).relaxed();
-    let trace = march(&solid()?, &problem, 1e-5)?;
+    let trace = integrate(&solid()?, &problem, 1e-5)?;
     Ok(trace.largest_tension().unwrap_or(f64::NAN) / JkrSphere::new(1.0, 1.0, WORK)?.pull_off_force())
 }
 
@@ -246,7 +246,7 @@ fn retraction(effort: Effort) -> Result<(Panel, Vec<Check>, Option<Table>), Refu
         caption: "Pull-off of a fast retraction from a relaxed contact against its closed form for δ = 0.",
         fineness: ("1/δ [1/R]", r"$R/\delta$"),
         error: r"$|F_{\mathrm{off}}/\beta F_{\mathrm{JKR}} - 1|$",
-        curves: vec![(Convergence { name: "march, fast retraction".into(), points, floor: 1e-6, fitted: FINEST, expected }, true)],
+        curves: vec![(Convergence { name: "integration, fast retraction".into(), points, floor: 1e-6, fitted: FINEST, expected }, true)],
         headline: false,
     };
     Ok((panel, vec![check], Some(table)))

@@ -179,7 +179,7 @@ impl Pair {
     }
 
     /// Adds both checks and the row.
-    fn told(self, section: &mut Section, table: &mut Table) {
+    fn reported(self, section: &mut Section, table: &mut Table) {
         let tolerance = match self.tolerance {
             Tolerance::Exact => "to the bit".to_owned(),
             Tolerance::Relative(most, reason) => format!("{most:.0e}: {reason}"),
@@ -254,7 +254,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
     progress.advance(1);
     for (name, pair) in pairs {
         match pair {
-            Ok(pair) => pair.told(&mut section, &mut table),
+            Ok(pair) => pair.reported(&mut section, &mut table),
             Err(reason) => section.checks.push(Check::new(name, "both are solved", reason, false)),
         }
     }

@@ -330,7 +330,7 @@ fn spheres() -> Vec<Effect> {
         Effect {
             name: "adhesion (sphere)",
             neutral: "γ̃ = 10⁻¹⁶, a zone of 10⁻¹⁰ R; held, as each step of an edge goes a part of its zone",
-            tolerance: Tolerance::Relative(1e-4, "a pull goes with √(8πE*a³Δγ), 10⁻⁶ of the force; bars are 3·10⁻⁷ of it"),
+            tolerance: Tolerance::Relative(1e-4, "a pull goes with √(8πE*a³Δγ), 10⁻⁶ of the force; bounds are 3·10⁻⁷ of it"),
             without: changed(
                 SPHERE,
                 &[("[adhesion]\nwork_of_adhesion = 1.6e-4\nprocess_zone = { length = 0.013 }\n", ""), (RETRACTION, "")],
@@ -405,7 +405,7 @@ fn spheres() -> Vec<Effect> {
         },
         Effect {
             name: "fields (sphere)",
-            neutral: "fields are computed along the same march",
+            neutral: "fields are computed along the same integration",
             tolerance: Tolerance::Exact,
             without: SPHERE.to_owned(),
             with: changed(SPHERE, &[("instants = 8", "instants = 8\n\n[indentation.fields]\ntimes = [0.1, 2]\npoints = 50")]),
@@ -417,7 +417,7 @@ fn spheres() -> Vec<Effect> {
             neutral: "a frame of 10¹⁰ πE0*R",
             tolerance: Tolerance::Relative(
                 1e-4,
-                "the frame gives way by F/k_f = 10⁻¹²; another control takes other steps, within the accuracy",
+                "the frame yields by F/k_f = 10⁻¹²; another control takes other steps, within the accuracy",
             ),
             without: SPHERE.to_owned(),
             with: changed(

@@ -103,7 +103,7 @@ pub fn compared(scene: &str, accuracies: &[f64]) -> Compared {
                         _ if ["steps", "most_pieces"].contains(name) => {}
                         (Some(one), Some(two)) => {
                             compared.numbers += 1;
-                            let times = apart(one, two);
+                            let times = over_both_bounds(one, two);
                             if times > 1.0 {
                                 compared.outside.push((times, format!("{accuracy:e}: {name} of {}: {one:?} {two:?}", label(row))));
                             }
@@ -119,7 +119,7 @@ pub fn compared(scene: &str, accuracies: &[f64]) -> Compared {
 }
 
 /// How many times both bounds two numbers are apart.
-fn apart(one: &Estimate, two: &Estimate) -> f64 {
+fn over_both_bounds(one: &Estimate, two: &Estimate) -> f64 {
     let (off, bounds) = ((one.value - two.value).abs(), one.error + two.error);
     if off <= bounds { 0.0 } else { off / bounds }
 }

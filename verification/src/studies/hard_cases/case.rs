@@ -3,7 +3,7 @@
 use viscotack::estimate::Estimate;
 use viscotack::refusal::Refusal;
 
-/// What must come out. Tolerances are absolute and hold for the error of the value and for its bar: a wider bar is an accuracy that was not reached.
+/// What must come out. Tolerances are absolute and hold for the error of the value and for its bound: a wider bound is an accuracy that was not reached.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expected {
     /// A value.
@@ -12,7 +12,7 @@ pub enum Expected {
         quantity: &'static str,
         /// Its value by theory.
         value: f64,
-        /// Largest error, and largest bar.
+        /// Largest error, and largest bound.
         tolerance: f64,
     },
     /// A value between two bounds.
@@ -83,14 +83,14 @@ impl Found {
     fn value(&self, quantity: &str) -> Result<Estimate, String> {
         match self.values.iter().find(|(name, _)| *name == quantity) {
             Some((_, value)) if value.value.is_finite() && value.error.is_finite() && value.error >= 0.0 => Ok(*value),
-            Some((_, value)) => Err(format!("{quantity} = {:e} ± {:e} is no number with a bar", value.value, value.error)),
-            None => Err(format!("no {quantity}: {}", self.told())),
+            Some((_, value)) => Err(format!("{quantity} = {:e} ± {:e} is no number with a bound", value.value, value.error)),
+            None => Err(format!("no {quantity}: {}", self.reported())),
         }
     }
 
     /// In words.
     #[must_use]
-    pub fn told(&self) -> String {
+    pub fn reported(&self) -> String {
         let mut parts: Vec<String> = self.words.iter().map(|word| (*word).to_owned()).collect();
         parts.extend(self.values.iter().map(|(name, value)| format!("{name} {:.12e} ± {:.0e}", value.value, value.error)));
         parts.extend(self.refusal.iter().map(ToString::to_string));
@@ -134,7 +134,7 @@ impl HardCase {
 /// # Errors
 /// What is not as expected, in words.
 pub fn held(expected: &Expected, found: &Found) -> Result<(), String> {
-    let ensure = |holds: bool, complaint: String| if holds { Ok(()) } else { Err(complaint) };
+    let ensure = |holds: bool, failure: String| if holds { Ok(()) } else { Err(failure) };
     match expected {
         Expected::Value { quantity, value, tolerance } => {
             let estimate = found.value(quantity)?;
@@ -143,7 +143,7 @@ pub fn held(expected: &Expected, found: &Found) -> Result<(), String> {
                 off <= *tolerance,
                 format!("{quantity} {:e} is off by {off:.1e} from {value:e}, {tolerance:.1e} allowed", estimate.value),
             )?;
-            ensure(estimate.error <= *tolerance, format!("the bar {:.1e} of {quantity} is wider than {tolerance:.1e}", estimate.error))
+            ensure(estimate.error <= *tolerance, format!("the bound {:.1e} of {quantity} is wider than {tolerance:.1e}", estimate.error))
         }
         Expected::Between { quantity, low, high } => {
             let estimate = found.value(quantity)?;
@@ -152,13 +152,13 @@ pub fn held(expected: &Expected, found: &Found) -> Result<(), String> {
                 format!("{quantity} {:e} is not between {low:e} and {high:e}", estimate.value),
             )
         }
-        Expected::Is(word) => ensure(found.words.contains(word), format!("not \"{word}\": {}", found.told())),
+        Expected::Is(word) => ensure(found.words.contains(word), format!("not \"{word}\": {}", found.reported())),
         Expected::NoSuchState { limit, tolerance } => match &found.refusal {
             Some(Refusal::NoSuchState { limit: witness, limit_name, .. }) => {
                 let off = (witness - limit).abs();
                 ensure(off <= *tolerance, format!("the witness {limit_name} = {witness:e} is off by {off:.1e} from {limit:e}"))
             }
-            _ => Err(format!("a state where none exists: {}", found.told())),
+            _ => Err(format!("a state where none exists: {}", found.reported())),
         },
         Expected::Refused(kind) => {
             let same = matches!(
@@ -166,12 +166,12 @@ pub fn held(expected: &Expected, found: &Found) -> Result<(), String> {
                 (Some(Refusal::OutOfRange { .. }), Kind::OutOfRange | Kind::Either)
                     | (Some(Refusal::Undefined { .. }), Kind::Undefined | Kind::Either)
             );
-            ensure(same, format!("not refused as {kind:?}: {}", found.told()))
+            ensure(same, format!("not refused as {kind:?}: {}", found.reported()))
         }
     }
 }
 
-/// An expectation that is false where this one holds: the judge must say no to it.
+/// An expectation that is false where this one holds: the comparison must say no to it.
 #[must_use]
 pub fn falsified(expected: &Expected) -> Expected {
     match expected.clone() {

@@ -7,7 +7,7 @@ use viscotack::crack::cohesive_zone::CohesiveZone;
 use viscotack::crack::persson_brener::PerssonBrener;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyState, at_drive, at_speed};
-use viscotack::material::{CreepTerm, Material, RelaxationTerm};
+use viscotack::material::{CreepTerm, PlaneMaterial, RelaxationTerm};
 use viscotack::refusal::Refusal;
 
 const PROBLEM: &str = "steady crack";
@@ -20,7 +20,7 @@ fn constant(work_of_adhesion: f64) -> Interface {
     Interface { work_of_adhesion, process_zone: ProcessZone::Constant { length: ZONE }, body: CrackBody::AgainstRigid }
 }
 
-fn told(state: &SteadyState) -> Found {
+fn reported(state: &SteadyState) -> Found {
     let found = Found::default().with("v", state.speed).with("D", state.drive);
     match state.energy_release_rate_ratio {
         Some(ratio) => found.with("G/Δγ", ratio),
@@ -43,13 +43,13 @@ fn one_term(beta: f64, motion: Motion, z: f64) -> f64 {
 
 /// A solid of one term of τ = 1 s and E0 = 1, at v = δ/(zτ).
 fn at(beta: f64, motion: Motion, z: f64) -> Result<Found, Refusal> {
-    let material = Material::standard_solid(1.0, beta, 1.0)?;
-    Ok(told(&at_speed(&VirtualWork::new(&material, motion, constant(1.0))?, ZONE / z, TOLERANCE)?))
+    let material = PlaneMaterial::standard_solid(1.0, beta, 1.0)?;
+    Ok(reported(&at_speed(&VirtualWork::new(&material, motion, constant(1.0))?, ZONE / z, TOLERANCE)?))
 }
 
 fn under(beta: f64, motion: Motion, drive: f64) -> Result<Found, Refusal> {
-    let material = Material::standard_solid(1.0, beta, 1.0)?;
-    Ok(told(&at_drive(&VirtualWork::new(&material, motion, constant(1.0))?, drive, TOLERANCE)?))
+    let material = PlaneMaterial::standard_solid(1.0, beta, 1.0)?;
+    Ok(reported(&at_drive(&VirtualWork::new(&material, motion, constant(1.0))?, drive, TOLERANCE)?))
 }
 
 /// The cases.
@@ -94,8 +94,8 @@ fn limits() -> Vec<HardCase> {
             "G = Δγ at rest, exactly",
             vec![near("G/Δγ", 1.0, 4e-15)],
             || {
-                let material = Material::standard_solid(1.0, 1e6, 1.0)?;
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 0.0, TOLERANCE)?))
+                let material = PlaneMaterial::standard_solid(1.0, 1e6, 1.0)?;
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 0.0, TOLERANCE)?))
             },
         ),
         HardCase::new(
@@ -105,8 +105,8 @@ fn limits() -> Vec<HardCase> {
             "G = βΔγ, exactly",
             vec![near("G/Δγ", 1e6, 4e-15)],
             || {
-                let material = Material::standard_solid(1.0, 1e6, 1.0)?;
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, f64::INFINITY, TOLERANCE)?))
+                let material = PlaneMaterial::standard_solid(1.0, 1e6, 1.0)?;
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, f64::INFINITY, TOLERANCE)?))
             },
         ),
         HardCase::new(
@@ -172,8 +172,8 @@ fn limits() -> Vec<HardCase> {
             "no curve G(v)",
             vec![Expected::Refused(Kind::Undefined)],
             || {
-                let material = Material::elastic(1.0)?;
-                Ok(told(&at_drive(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 2.0, TOLERANCE)?))
+                let material = PlaneMaterial::elastic(1.0)?;
+                Ok(reported(&at_drive(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 2.0, TOLERANCE)?))
             },
         ),
         HardCase::new(
@@ -206,7 +206,7 @@ fn spectra() -> Vec<HardCase> {
             vec![near("D", expected, 1e-9)],
             move || {
                 let material = spread(1e6, 20, 20.0, 1e8)?;
-                Ok(told(&at_speed(&VirtualWork::new(&material, motion, constant(1.0))?, ZONE / time, TOLERANCE)?))
+                Ok(reported(&at_speed(&VirtualWork::new(&material, motion, constant(1.0))?, ZONE / time, TOLERANCE)?))
             },
         ));
     }
@@ -218,8 +218,8 @@ fn spectra() -> Vec<HardCase> {
         vec![near("G/Δγ", one_term(10.0, Motion::Opening, 1.0), 1e-13)],
         || {
             let term = |retardation_time| CreepTerm { compliance: 0.45, retardation_time };
-            let material = Material::from_creep(10.0, &[term(1.0), term(1.0 + 1e-15)], None)?;
-            Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, ZONE, TOLERANCE)?))
+            let material = PlaneMaterial::from_creep(10.0, &[term(1.0), term(1.0 + 1e-15)], None)?;
+            Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, ZONE, TOLERANCE)?))
         },
     ));
     cases.push(cliff());
@@ -235,10 +235,10 @@ fn spectra() -> Vec<HardCase> {
             "every theory tends to βΔγ; what is missing goes with vτ/a₀ to the power −1 at least, times β",
             vec![near("G/Δγ", fast, 1e-6)],
             move || {
-                let material = Material::standard_solid(1.0, fast, 1.0)?;
+                let material = PlaneMaterial::standard_solid(1.0, fast, 1.0)?;
                 let interface = Interface { process_zone: ProcessZone::Growing { cohesive_stress: 1.0, factor: 1.0 }, ..constant(1.0) };
                 let speed = 1e16;
-                Ok(told(&if persson {
+                Ok(reported(&if persson {
                     at_speed(&PerssonBrener::new(&material, motion, interface)?, speed, TOLERANCE)?
                 } else {
                     at_speed(&CohesiveZone::new(&material, motion, 1.0, 1.0, CrackBody::AgainstRigid)?, speed, TOLERANCE)?
@@ -267,8 +267,8 @@ fn cliff() -> HardCase {
         move || {
             // Given by its relaxation term: the large parts split exactly.
             let term = RelaxationTerm { modulus: beta - 1.0, relaxation_time: 1.0 / beta };
-            let material = Material::from_relaxation(1.0, &[term])?;
-            Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Closing, interface)?, speed, TOLERANCE)?))
+            let material = PlaneMaterial::from_relaxation(1.0, &[term])?;
+            Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Closing, interface)?, speed, TOLERANCE)?))
         },
     )
 }
@@ -284,10 +284,10 @@ fn extremes() -> Vec<HardCase> {
             "G/Δγ depends on β and δ/(vτ) alone",
             vec![near("G/Δγ", ratio, 1e-13)],
             move || {
-                let material = Material::standard_solid(modulus, 100.0 * modulus, time)?;
+                let material = PlaneMaterial::standard_solid(modulus, 100.0 * modulus, time)?;
                 let interface =
                     Interface { work_of_adhesion: work, process_zone: ProcessZone::Constant { length }, body: CrackBody::TwoHalves };
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, length / time, TOLERANCE)?))
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, length / time, TOLERANCE)?))
             },
         )
     };
@@ -303,20 +303,20 @@ fn extremes() -> Vec<HardCase> {
             "δ/(vτ) = 5e-324: glassy",
             vec![near("G/Δγ", 100.0, 1e-14)],
             || {
-                let material = Material::standard_solid(1.0, 100.0, 1.0)?;
+                let material = PlaneMaterial::standard_solid(1.0, 100.0, 1.0)?;
                 let interface = Interface { process_zone: ProcessZone::Constant { length: f64::from_bits(1) }, ..constant(1.0) };
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, 1.0, TOLERANCE)?))
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, 1.0, TOLERANCE)?))
             },
         ),
         HardCase::new(
             PROBLEM,
             "a viscous material at rest",
-            "it bears no load at rest",
+            "it carries no load at rest",
             "no energy release rate far from the tip",
             vec![Expected::Refused(Kind::Undefined)],
             || {
-                let material = Material::from_creep(1.0, &[CreepTerm { compliance: 1.0, retardation_time: 1.0 }], Some(10.0))?;
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 0.0, TOLERANCE)?))
+                let material = PlaneMaterial::from_creep(1.0, &[CreepTerm { compliance: 1.0, retardation_time: 1.0 }], Some(10.0))?;
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, constant(1.0))?, 0.0, TOLERANCE)?))
             },
         ),
         HardCase::new(
@@ -326,9 +326,9 @@ fn extremes() -> Vec<HardCase> {
             "no such length",
             vec![Expected::Refused(Kind::Undefined)],
             || {
-                let material = Material::standard_solid(1.0, 100.0, 1.0)?;
+                let material = PlaneMaterial::standard_solid(1.0, 100.0, 1.0)?;
                 let interface = Interface { process_zone: ProcessZone::Schapery { cohesive_stress: 1.0, factor: 1.0 }, ..constant(1.0) };
-                Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, 1.0, TOLERANCE)?))
+                Ok(reported(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, 1.0, TOLERANCE)?))
             },
         ),
     ]

@@ -9,7 +9,7 @@ use viscotack::crack::delayed::{
 };
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve};
-use viscotack::material::{CreepTerm, Material};
+use viscotack::material::{CreepTerm, PlaneMaterial};
 use viscotack::refusal::Refusal;
 
 const PROBLEM: &str = "delayed crack";
@@ -23,8 +23,8 @@ const CREEP: f64 = 1.0 - 1.0 / BETA;
 const INTERFACE: Interface =
     Interface { work_of_adhesion: 1.0, process_zone: ProcessZone::Constant { length: ZONE }, body: CrackBody::AgainstRigid };
 
-fn one_term() -> Result<Material, Refusal> {
-    Material::standard_solid(1.0, BETA, 1.0)
+fn one_term() -> Result<PlaneMaterial, Refusal> {
+    PlaneMaterial::standard_solid(1.0, BETA, 1.0)
 }
 
 fn begun(found: &Trajectory) -> Found {
@@ -140,7 +140,7 @@ fn limits() -> Vec<HardCase> {
             "a Maxwell solid, J = 1/E∞ + t/η: t_d = η(2Δγ/K² − 1/E∞)",
             vec![near("delay", 5.0 * (1e12 - 1.0) / BETA, 1e-12)],
             || {
-                let material = Material::from_creep(BETA, &[], Some(5.0))?;
+                let material = PlaneMaterial::from_creep(BETA, &[], Some(5.0))?;
                 let problem = GrowthProblem::new(&material, INTERFACE, 0.0)?;
                 Ok(first(&onset(&problem, 1e-6 * problem.glassy_limit())?))
             },
@@ -313,7 +313,7 @@ fn motion() -> Vec<HardCase> {
             vec![near("delay", delay(3.0), 1e-12)],
             || {
                 let term = |compliance, retardation_time| CreepTerm { compliance, retardation_time };
-                let material = Material::from_creep(BETA, &[term(CREEP, 1.0), term(1e-14, 1e-5)], None)?;
+                let material = PlaneMaterial::from_creep(BETA, &[term(CREEP, 1.0), term(1e-14, 1e-5)], None)?;
                 Ok(first(&onset(&GrowthProblem::new(&material, INTERFACE, 0.0)?, 6f64.sqrt())?))
             },
         ),
@@ -335,6 +335,6 @@ fn motion() -> Vec<HardCase> {
 
 fn last(found: &Trajectory) -> Found {
     let sample = found.samples.last();
-    let told = sample.and_then(|sample| Some((sample.growth?, sample.speed?)));
-    told.map_or_else(|| Found::default().is("no growth"), |(place, speed)| Found::default().with("place", place).with("speed", speed))
+    let reported = sample.and_then(|sample| Some((sample.growth?, sample.speed?)));
+    reported.map_or_else(|| Found::default().is("no growth"), |(place, speed)| Found::default().with("place", place).with("speed", speed))
 }

@@ -1,7 +1,7 @@
 //! Sliding contacts on, just before and just after folds; wrong roots; scenes with more than one contact.
 //!
-//! Folds of elastic waves are Johnson's; those of viscoelastic ones come from the fold equations of a branch ([`viscotack::sliding::branch`]), or are the largest load of contacts of
-//! given half-widths. All of these are found before the case runs.
+//! Folds of elastic waves are Johnson's; those of viscoelastic ones come from the fold equations of a branch ([`viscotack::sliding::branch`]), or are the largest load
+//! of contacts of given half-widths. All of these are found before the case runs.
 
 use super::case::{Expected, Found, HardCase, near};
 use super::sliding::solved;
@@ -10,7 +10,7 @@ use std::sync::Arc;
 use viscotack::elastic::johnson_wave::WaveBranch;
 use viscotack::elastic::{Control, JohnsonWave, WestergaardWave};
 use viscotack::estimate::Estimate;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::{BranchProblem, BranchStart, SpeedFolds, contacts_of_width, speed_folds, strength, trace};
 use viscotack::sliding::contact::{ContactMemory, Indenter, Resolution};
@@ -21,8 +21,8 @@ use viscotack::sliding::steady::{
 
 const PROBLEM: &str = "sliding folds";
 
-fn solid(beta: f64) -> Result<Material, Refusal> {
-    if beta > 1.0 { Material::standard_solid(1.0, beta, 1.0) } else { Material::elastic(1.0) }
+fn solid(beta: f64) -> Result<PlaneMaterial, Refusal> {
+    if beta > 1.0 { PlaneMaterial::standard_solid(1.0, beta, 1.0) } else { PlaneMaterial::elastic(1.0) }
 }
 
 fn wave(rate: f64, adhesion: WaveAdhesion, control: SlidingControl) -> SlidingProblem<'static> {
@@ -223,8 +223,9 @@ fn largest_load(beta: f64, rate: f64, adhesion: WaveAdhesion) -> f64 {
     at_one.max(at_other)
 }
 
-/// The half-width of the contact that grows out of the slow one: the curve by arclength up to the rate, and the contact next to where it gets there; NaN if it folds before.
-fn slow_contact(material: &Material, load: f64, adhesion: WaveAdhesion, rate: f64) -> f64 {
+/// The half-width of the contact that grows out of the slow one: the curve by arclength up to the rate, and the contact next to where it gets there; NaN if it folds
+/// before.
+fn slow_contact(material: &PlaneMaterial, load: f64, adhesion: WaveAdhesion, rate: f64) -> f64 {
     let control = SlidingControl::MeanPressure(load);
     let problem = BranchProblem::speeds(control, [1e-6, 2.0 * rate], BranchStart::Slow, adhesion, 1e-9);
     let Ok(branch) = trace(material, &problem) else { return f64::NAN };

@@ -11,8 +11,8 @@
 //! | [`sphere`] | indentation |
 //! | [`units`] | one scene in three systems of units |
 //!
-//! "No such state" needs its witness, the limit that was passed, with the right value. A bar wider than the tolerance is an accuracy that was not reached: a miss.
-//! Each expectation is also put to the judge falsified, and must fail.
+//! "No such state" needs its witness, the limit that was passed, with the right value. A bound wider than the tolerance is an accuracy that was not reached: a miss.
+//! Each expectation is also put to the comparison falsified, and must fail.
 
 pub mod case;
 pub mod crack;
@@ -44,20 +44,20 @@ pub fn cases(effort: Effort) -> Vec<HardCase> {
 
 /// What is wrong with a case after its run; nothing if it holds.
 #[must_use]
-pub fn complaints(expected: &[Expected], found: &case::Found) -> Vec<String> {
-    let mut complaints: Vec<String> = expected.iter().filter_map(|expected| held(expected, found).err()).collect();
+pub fn failures(expected: &[Expected], found: &case::Found) -> Vec<String> {
+    let mut failures: Vec<String> = expected.iter().filter_map(|expected| held(expected, found).err()).collect();
     if expected.is_empty() {
-        complaints.push("nothing is expected".into());
+        failures.push("nothing is expected".into());
     }
-    if complaints.is_empty() {
+    if failures.is_empty() {
         let blind = expected.iter().filter(|expected| held(&falsified(expected), found).is_ok());
-        complaints.extend(blind.map(|expected| format!("the judge does not see that {expected:?} could be false")));
+        failures.extend(blind.map(|expected| format!("the comparison does not see that {expected:?} could be false")));
     }
-    complaints
+    failures
 }
 
 /// An expectation in words.
-fn told(expected: &Expected) -> String {
+fn reported(expected: &Expected) -> String {
     match expected {
         Expected::Value { quantity, value, tolerance } => format!("{quantity} = {value:.12e} within {tolerance:.0e}"),
         Expected::Between { quantity, low, high } => format!("{quantity} between {low:.3e} and {high:.3e}"),
@@ -75,7 +75,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
     let mut section = Section::new("hard_cases", "Hard cases");
     section.say(format!(
         "{} cases, each with the reason why it is hard and an outcome that theory states before the run. A state that does not exist must be refused with its witness, the \
-         limit that was passed. A bar wider than the tolerance counts as a miss. Each expectation is put to the judge falsified as well, and must fail.",
+         limit that was passed. A bound wider than the tolerance counts as a miss. Each expectation is put to the comparison falsified as well, and must fail.",
         cases.len()
     ));
     if effort == Effort::Reduced {
@@ -101,26 +101,26 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
             Column::words("expected"),
             Column::words("found"),
             Column::new("time", "s"),
-            Column::words("verdict"),
+            Column::words("result"),
         ],
     );
     for (case, (found, seconds)) in cases.iter().zip(results) {
-        let complaints = complaints(&case.expected, &found);
-        let expected = case.expected.iter().map(told).collect::<Vec<_>>().join("; ");
-        let verdict = if complaints.is_empty() { "as expected".to_owned() } else { complaints.join("; ") };
+        let failures = failures(&case.expected, &found);
+        let expected = case.expected.iter().map(reported).collect::<Vec<_>>().join("; ");
+        let result = if failures.is_empty() { "as expected".to_owned() } else { failures.join("; ") };
         let name = format!("{}: {}", case.problem, case.name);
         let stated = format!("{expected} (by {})", case.theory);
-        let told = if complaints.is_empty() { found.told() } else { verdict.clone() };
-        section.checks.push(Check::new(name, stated, told, complaints.is_empty()));
+        let reported = if failures.is_empty() { found.reported() } else { result.clone() };
+        section.checks.push(Check::new(name, stated, reported, failures.is_empty()));
         table.rows.push(vec![
             word(case.problem),
             word(case.name.as_str()),
             word(case.why),
             word(case.theory),
             word(expected),
-            word(found.told()),
+            word(found.reported()),
             number(seconds),
-            word(verdict),
+            word(result),
         ]);
     }
     section.tables.push(table.folded());

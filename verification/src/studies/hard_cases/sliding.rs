@@ -6,7 +6,7 @@ use crate::rivals::sliding_collocation::richardson::extrapolated;
 use crate::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use std::f64::consts::PI;
 use viscotack::estimate::Estimate;
-use viscotack::material::{CreepTerm, Material};
+use viscotack::material::{CreepTerm, PlaneMaterial};
 use viscotack::refusal::Refusal;
 use viscotack::sliding::SlidingMemory;
 use viscotack::sliding::contact::{Prescribed, WaveContact};
@@ -23,7 +23,7 @@ const JOHNSON: &str =
 ///
 /// # Errors
 /// Those of the solver.
-pub fn solved(material: &Material, problem: &SlidingProblem<'_>) -> Result<Found, Refusal> {
+pub fn solved(material: &PlaneMaterial, problem: &SlidingProblem<'_>) -> Result<Found, Refusal> {
     Ok(match steady_sliding(material, problem)? {
         SlidingOutcome::Partial(contact) => {
             let values = contact.values;
@@ -49,8 +49,8 @@ fn wave(rate: f64, adhesion: Option<WaveAdhesion>, control: SlidingControl, accu
     SlidingProblem { rate, indenter: Indenter::Wave, adhesion, work_by_speed: None, control, accuracy }
 }
 
-fn one_term(beta: f64) -> Result<Material, Refusal> {
-    if beta > 1.0 { Material::standard_solid(1.0, beta, 1.0) } else { Material::elastic(1.0) }
+fn one_term(beta: f64) -> Result<PlaneMaterial, Refusal> {
+    if beta > 1.0 { PlaneMaterial::standard_solid(1.0, beta, 1.0) } else { PlaneMaterial::elastic(1.0) }
 }
 
 /// Johnson's load of a half-width at a modulus.
@@ -134,7 +134,7 @@ fn narrow() -> Vec<HardCase> {
             vec![Expected::Value { quantity: "p̄", value: 0.25 * a * a - (2.0 * work * a).sqrt(), tolerance: 1e-4 * a * a }],
             move || {
                 solved(
-                    &Material::elastic(1.0)?,
+                    &PlaneMaterial::elastic(1.0)?,
                     &wave(0.0, Some(WaveAdhesion::even(work, zone)), SlidingControl::HalfWidth(a), 1e-9 * a * a),
                 )
             },
@@ -149,7 +149,7 @@ fn narrow() -> Vec<HardCase> {
             "the load differs from that of full contact by the square of the gap",
             "Westergaard: 1 − p̄ = sin²((π − a)/2)",
             vec![Expected::Value { quantity: "p̄", value: 1.0 - missing, tolerance: 1e-12 }],
-            move || solved(&Material::elastic(1.0)?, &wave(0.0, None, SlidingControl::HalfWidth(a), ACCURACY)),
+            move || solved(&PlaneMaterial::elastic(1.0)?, &wave(0.0, None, SlidingControl::HalfWidth(a), ACCURACY)),
         ));
         let (work, zone) = (1e-3 * gap, 1e-4 * gap);
         let modulus = 10.0;
@@ -243,7 +243,10 @@ fn zones() -> Vec<HardCase> {
                 near("G₂/Δγ", 1.0, 1e-5),
             ],
             move || {
-                solved(&Material::elastic(1.0)?, &wave(0.0, Some(WaveAdhesion::even(work, part * a)), SlidingControl::HalfWidth(a), 1e-6))
+                solved(
+                    &PlaneMaterial::elastic(1.0)?,
+                    &wave(0.0, Some(WaveAdhesion::even(work, part * a)), SlidingControl::HalfWidth(a), 1e-6),
+                )
             },
         ));
     }
@@ -253,7 +256,7 @@ fn zones() -> Vec<HardCase> {
         "the moved contact is another one: nothing is linear in δ",
         "G = Δγ at both edges of an elastic solid, at any zone",
         vec![near("G₁/Δγ", 1.0, 1e-6), near("G₂/Δγ", 1.0, 1e-6), Expected::Value { quantity: "e", value: 0.0, tolerance: 1e-6 }],
-        || solved(&Material::elastic(1.0)?, &wave(0.0, Some(WaveAdhesion::even(1e-2, 0.3)), SlidingControl::HalfWidth(1.0), 1e-7)),
+        || solved(&PlaneMaterial::elastic(1.0)?, &wave(0.0, Some(WaveAdhesion::even(1e-2, 0.3)), SlidingControl::HalfWidth(1.0), 1e-7)),
     ));
     for work in [1e-12, 1e-20, 1e-25, 1e-30, 1e-100, 1e-300] {
         // p̄ = s² − 2√(Γ tan(a/2)): a zone far below √Γ, so that the closure is that of a sharp edge.
@@ -267,7 +270,7 @@ fn zones() -> Vec<HardCase> {
             vec![Expected::Value { quantity: "p̄", value: s2 - pull, tolerance: 0.02 * pull + 1e-11 }],
             move || {
                 solved(
-                    &Material::elastic(1.0)?,
+                    &PlaneMaterial::elastic(1.0)?,
                     &wave(0.0, Some(WaveAdhesion::even(work, 1e-3 * work.sqrt())), SlidingControl::HalfWidth(1.0), 1e-9),
                 )
             },
@@ -281,7 +284,7 @@ fn zones() -> Vec<HardCase> {
         vec![Expected::Value { quantity: "friction stress", value: 1.5e-3, tolerance: 1e-7 }],
         || {
             let adhesion = WaveAdhesion { trailing_work: 2e-3, leading_work: 5e-4, trailing_zone: 1e-6, leading_zone: 1e-6 };
-            solved(&Material::elastic(1.0)?, &wave(0.0, Some(adhesion), SlidingControl::MeanPressure(0.2), 1e-8))
+            solved(&PlaneMaterial::elastic(1.0)?, &wave(0.0, Some(adhesion), SlidingControl::MeanPressure(0.2), 1e-8))
         },
     ));
     cases
@@ -293,7 +296,7 @@ fn spectra() -> Vec<HardCase> {
     // One term of twice the strength, solved beforehand by the partial-fraction form: its load.
     let split = || {
         let term = |retardation_time| CreepTerm { compliance: 0.45, retardation_time };
-        Material::from_creep(10.0, &[term(1.0), term(1.0 + 1e-14)], None)
+        PlaneMaterial::from_creep(10.0, &[term(1.0), term(1.0 + 1e-14)], None)
     };
     let unsplit = one_term(10.0).and_then(|material| solved(&material, &wave(3.0, adhesion, SlidingControl::HalfWidth(1.0), 1e-10)));
     let load =
@@ -331,7 +334,7 @@ fn spectra() -> Vec<HardCase> {
 }
 
 /// The contact of half-width one, and the works at its edges by collocation, extrapolated from 60, 120 and 240 elements.
-fn collocated(material: &Material, rate: f64, adhesion: WaveAdhesion) -> Result<Found, Refusal> {
+fn collocated(material: &PlaneMaterial, rate: f64, adhesion: WaveAdhesion) -> Result<Found, Refusal> {
     let found = solved(material, &wave(rate, Some(adhesion), SlidingControl::HalfWidth(1.0), 1e-8))?;
     let at = |name: &str| found.values.iter().find(|(quantity, _)| *quantity == name).map_or(f64::NAN, |(_, value)| value.value);
     let contact = WaveContact { half_width: 1.0, eccentricity: at("e") };
@@ -375,7 +378,7 @@ fn refused() -> Vec<HardCase> {
             "no steady contact at rest",
             vec![Expected::Refused(Kind::Undefined)],
             || {
-                let material = Material::from_creep(1.0, &[CreepTerm { compliance: 1.0, retardation_time: 1.0 }], Some(10.0))?;
+                let material = PlaneMaterial::from_creep(1.0, &[CreepTerm { compliance: 1.0, retardation_time: 1.0 }], Some(10.0))?;
                 solved(&material, &wave(1.0, None, SlidingControl::HalfWidth(1.0), ACCURACY))
             },
         ),

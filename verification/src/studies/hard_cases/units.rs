@@ -8,7 +8,7 @@ use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, run};
-use viscotack::material::{CreepTerm, Material};
+use viscotack::material::{CreepTerm, PlaneMaterial};
 use viscotack::refusal::Refusal;
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 
@@ -33,10 +33,10 @@ const OTHERS: [Units; 3] = [
 ];
 
 /// A three-term rubber, E0 = 1.3 MPa, β = 40.
-fn rubber(units: Units) -> Result<Material, Refusal> {
+fn rubber(units: Units) -> Result<PlaneMaterial, Refusal> {
     let (relaxed, beta) = (1.3e6 / units.pressure, 40.0);
     let term = |share: f64, time: f64| CreepTerm { compliance: share * (1.0 - 1.0 / beta) / relaxed, retardation_time: time / units.time };
-    Material::from_creep(beta * relaxed, &[term(0.5, 2.0), term(0.3, 0.05), term(0.2, 1e-3)], None)
+    PlaneMaterial::from_creep(beta * relaxed, &[term(0.5, 2.0), term(0.3, 0.05), term(0.2, 1e-3)], None)
 }
 
 fn crack(units: Units) -> Result<Estimate, Refusal> {

@@ -1,7 +1,7 @@
 //! The solver's answer, as far as it is compared: the one file that knows its library interface.
 
 use super::states::Reached;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::Stability;
 use viscotack::sliding::contact::Indenter;
@@ -32,19 +32,19 @@ pub enum Answer {
 
 /// Asks the solver.
 #[must_use]
-pub fn answer(material: &Material, problem: &SlidingProblem<'_>, reached: Reached) -> Answer {
+pub fn answer(material: &PlaneMaterial, problem: &SlidingProblem<'_>, reached: Reached) -> Answer {
     let by = if reached == Reached::Loading { ReachedBy::Loading } else { ReachedBy::Unloading };
     match steady_sliding_reached_by(material, problem, by) {
         Ok(SlidingOutcome::Partial(found)) => {
-            let told = |stability: Stability| match stability {
+            let reported = |stability: Stability| match stability {
                 Stability::Stable => Some(true),
                 Stability::Unstable => Some(false),
                 Stability::Marginal => None,
             };
             let wave = problem.indenter == Indenter::Wave;
             let stable = found.stability.filter(|_| problem.adhesion.is_some()).map_or([None; 3], |stability| {
-                let of_wave = |stability: Stability| if wave { told(stability) } else { None };
-                [told(stability.under_load()), of_wave(stability.under_penetration()), of_wave(stability.in_frame(FRAME))]
+                let of_wave = |stability: Stability| if wave { reported(stability) } else { None };
+                [reported(stability.under_load()), of_wave(stability.under_penetration()), of_wave(stability.in_frame(FRAME))]
             });
             Answer::Contact { values: Box::new(found.values), stable, others: Some(found.others) }
         }

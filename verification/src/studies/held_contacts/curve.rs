@@ -1,7 +1,7 @@
 //! All contacts of one material, speed and adhesion: the contacts of a row of half-widths, joined to curves.
 //!
 //! Contacts of neighbouring half-widths are joined where there are equally many of them and each has one near it; elsewhere the row is made finer until there are or
-//! until what happens is told to 1e-9 of the half-width: two contacts meet (the curve turns back in the half-width) or one ends (an edge is pressed, faces meet, the
+//! until what happens is known to 1e-9 of the half-width: two contacts meet (the curve turns back in the half-width) or one ends (an edge is pressed, faces meet, the
 //! zone fills the gap). No contact is followed from another one.
 
 use super::width::{Bodies, Equilibrium};

@@ -6,7 +6,7 @@ use super::width::Bodies;
 use crate::studies::draw::Draw;
 use std::f64::consts::PI;
 use std::sync::Arc;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::{ContactMemory, Indenter, Resolution};
 use viscotack::sliding::edge_balance::WaveAdhesion;
@@ -24,7 +24,7 @@ const BEYOND: f64 = 0.1;
 #[derive(Debug)]
 pub struct Drawn {
     /// The material.
-    pub material: Material,
+    pub material: PlaneMaterial,
     /// kv.
     pub rate: f64,
     /// Wave or cylinder.

@@ -8,8 +8,8 @@
 //! stability  ──► which of them stay, by second variations
 //! states     ──► which contact a held value has, and its limits      compared with the solver (answer)
 //! ```
-//! The comparison shares the fields of a contact with given edges with the solver (they have references of their own: `reference_data/sliding_wave.csv`), and nothing of the
-//! way to the edges: no continuation in speed or load, no choice of a root.
+//! The comparison shares the fields of a contact with given edges with the solver (they have references of their own: `reference_data/sliding_wave.csv`), and nothing
+//! of the way to the edges: no continuation in speed or load, no choice of a root.
 
 pub mod answer;
 pub mod conics;
@@ -40,7 +40,7 @@ pub const TUNING_SEED: u64 = 0x36_51de_7e57;
 const STATES: usize = 20;
 /// Accuracy that is asked for.
 const ACCURACY: f64 = 1e-6;
-/// Another contact is told by a half-width that is further off, relative to it.
+/// Another contact is shown by a half-width that is further off, relative to it.
 const SAME: f64 = 1e-3;
 /// A limit may be off by this part of it.
 const LIMIT: f64 = 1e-3;
@@ -100,14 +100,14 @@ pub struct Compared {
 
 /// What a problem came to.
 #[derive(Debug, Clone, Default)]
-pub struct Judged {
+pub struct Assessed {
     /// Its states.
     pub states: Vec<Compared>,
     /// In words.
     pub described: String,
     /// Half-widths computed.
     pub rows: usize,
-    /// Stretches of contacts stable under their load.
+    /// Segments of contacts stable under their load.
     pub stable: usize,
     /// Pieces whose stability changes between two turns of what is held.
     pub changes: usize,
@@ -115,12 +115,12 @@ pub struct Judged {
 
 /// Draws a problem and its states, and compares all of them.
 #[must_use]
-pub fn judged(seed: u64, problem: u64) -> Judged {
+pub fn assessed(seed: u64, problem: u64) -> Assessed {
     let mut draw = Draw::of(seed, problem);
-    let Ok(drawn) = drawn(&mut draw) else { return Judged::default() };
-    let Ok(speed) = drawn.speed() else { return Judged { described: drawn.described, ..Judged::default() } };
+    let Ok(drawn) = drawn(&mut draw) else { return Assessed::default() };
+    let Ok(speed) = drawn.speed() else { return Assessed { described: drawn.described, ..Assessed::default() } };
     let states = (0..STATES).filter_map(|_| asked(&mut draw, &speed)).map(|asked| compared(problem, &drawn, &speed, asked)).collect();
-    Judged { states, described: drawn.described.clone(), rows: speed.rows, stable: speed.by_load.len(), changes: speed.changes }
+    Assessed { states, described: drawn.described.clone(), rows: speed.rows, stable: speed.by_load.len(), changes: speed.changes }
 }
 
 fn control(asked: Asked) -> SlidingControl {
@@ -161,38 +161,38 @@ pub fn against(problem: u64, speed: &Speed, asked: Asked, found: &Answer) -> Com
     };
     match (&expected, found) {
         (Expected::Unknown, _) => compared.unknown = true,
-        (Expected::Contact { contact, others }, Answer::Contact { values, stable, others: told }) => {
+        (Expected::Contact { contact, others }, Answer::Contact { values, stable, others: reported }) => {
             if off(values, contact) > SAME {
                 fail(&mut compared, Fault::Wrong);
                 return compared;
             }
-            let contradicted = |told: Option<bool>, held: Held| {
+            let contradicted = |reported: Option<bool>, held: Held| {
                 let margin = || if speed.bodies.adhesion.is_some() { speed.margin(contact, held) } else { 1.0 };
-                told.is_some_and(|told| {
+                reported.is_some_and(|reported| {
                     let margin = margin();
-                    margin.abs() > MARGIN && told != (margin > 0.0)
+                    margin.abs() > MARGIN && reported != (margin > 0.0)
                 })
             };
             let each = [Held::Load, Held::Penetration, Held::Frame(FRAME)];
-            if stable.iter().zip(each).any(|(told, held)| contradicted(*told, held)) {
+            if stable.iter().zip(each).any(|(reported, held)| contradicted(*reported, held)) {
                 fail(&mut compared, Fault::WrongStability);
-            } else if told.is_some_and(|told| told != *others) {
+            } else if reported.is_some_and(|reported| reported != *others) {
                 fail(&mut compared, Fault::Alternatives);
             }
             bounds(&mut compared, values, contact);
         }
         (Expected::Contact { .. }, Answer::Full(_)) => fail(&mut compared, Fault::FalselyFull),
         (Expected::Contact { .. }, Answer::Nothing(_) | Answer::Failed(_)) => fail(&mut compared, Fault::FalselyRefused),
-        (Expected::Full(limit), Answer::Full(told)) | (Expected::Nothing(limit), Answer::Nothing(told)) => {
-            if !near(*told, *limit) {
+        (Expected::Full(limit), Answer::Full(reported)) | (Expected::Nothing(limit), Answer::Nothing(reported)) => {
+            if !near(*reported, *limit) {
                 fail(&mut compared, Fault::WrongLimit);
             }
         }
         // Full contact has one penetration only: beyond the limit of a held penetration it may be named or refused, with the limit of this speed.
-        (Expected::Full(limit) | Expected::Nothing(limit), Answer::Full(told) | Answer::Nothing(told))
+        (Expected::Full(limit) | Expected::Nothing(limit), Answer::Full(reported) | Answer::Nothing(reported))
             if held == Held::Penetration && asked.value > *limit =>
         {
-            if !near(*told, *limit) {
+            if !near(*reported, *limit) {
                 fail(&mut compared, Fault::WrongLimit);
             }
         }
@@ -207,8 +207,8 @@ pub fn against(problem: u64, speed: &Speed, asked: Asked, found: &Answer) -> Com
     compared
 }
 
-fn near(told: f64, limit: f64) -> bool {
-    (told - limit).abs() <= LIMIT * limit.abs().max(1e-2)
+fn near(reported: f64, limit: f64) -> bool {
+    (reported - limit).abs() <= LIMIT * limit.abs().max(1e-2)
 }
 
 /// At a held half-width any contact of it is right, a stable one where there is one.
@@ -309,12 +309,12 @@ fn right(expected: &Expected) -> String {
 pub fn study(effort: Effort, progress: &Progress) -> Section {
     let problems: u64 = effort.choose(40, 1010);
     progress.expect(problems);
-    let all: Vec<Judged> = (0..problems)
+    let all: Vec<Assessed> = (0..problems)
         .into_par_iter()
         .map(|problem| {
-            let judged = judged(SEED, problem);
+            let assessed = assessed(SEED, problem);
             progress.advance(1);
-            judged
+            assessed
         })
         .collect();
     section(&all)
@@ -322,10 +322,10 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
 
 /// Tables and checks of compared problems.
 #[must_use]
-pub fn section(all: &[Judged]) -> Section {
+pub fn section(all: &[Assessed]) -> Section {
     let mut section = Section::new("held_contacts", "Sliding: the contact that is held");
-    let states: Vec<&Compared> = all.iter().flat_map(|judged| &judged.states).collect();
-    let rows: usize = all.iter().map(|judged| judged.rows).sum();
+    let states: Vec<&Compared> = all.iter().flat_map(|assessed| &assessed.states).collect();
+    let rows: usize = all.iter().map(|assessed| assessed.rows).sum();
     section.say(format!(
         "{} sliding states of {} random problems (β 1.2 to 1000, 1 to 6 terms, Γ 3e-4 to 0.05, δ 1e-5 to 0.05, sliding ratio 1e-3 to 1e4; waves and cylinders, equal and unequal works and \
          zones, one in ten without adhesion), most of them near a limit of what is held. Each is compared with all contacts of all half-widths: at {rows} half-widths the contacts are the common \
@@ -333,10 +333,10 @@ pub fn section(all: &[Judged]) -> Section {
         states.len(),
         all.len()
     ));
-    let several = all.iter().filter(|judged| judged.stable > 1).count();
-    let changes: usize = all.iter().map(|judged| judged.changes).sum();
+    let several = all.iter().filter(|assessed| assessed.stable > 1).count();
+    let changes: usize = all.iter().map(|assessed| assessed.changes).sum();
     section.say(format!(
-        "{several} of the problems have more than one stretch of contacts that are stable under their load; on {changes} stretches stability changes where neither load nor penetration turns."
+        "{several} of the problems have more than one segment of contacts that are stable under their load; on {changes} segments stability changes where neither load nor penetration turns."
     ));
     let mut table = Table::new(
         "counts",
@@ -381,14 +381,14 @@ pub fn section(all: &[Judged]) -> Section {
         ],
     )
     .folded();
-    for judged in all {
-        for state in judged.states.iter().filter(|state| state.fault.is_some()) {
+    for assessed in all {
+        for state in assessed.states.iter().filter(|state| state.fault.is_some()) {
             if table.rows.len() < LISTED {
                 let name = |fault: Option<Fault>| FAULTS.iter().find(|(kind, _)| Some(*kind) == fault).map_or("", |(_, name)| *name);
                 let held = CONTROLS.iter().find(|(control, _)| *control == state.asked.control).map_or("", |(_, name)| *name);
                 table.rows.push(vec![
                     number(state.problem as f64),
-                    word(&judged.described),
+                    word(&assessed.described),
                     word(held),
                     number(state.asked.value),
                     word(if state.asked.reached == Reached::Loading { "loading" } else { "unloading" }),

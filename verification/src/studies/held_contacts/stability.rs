@@ -79,7 +79,7 @@ impl Variations {
         (self.matrix[0][0] / size).min(self.matrix[1][1] / size).min(self.determinant)
     }
 
-    /// The smaller diagonal entry over the size of all: below zero one edge alone runs away, also where nothing turns.
+    /// The smaller diagonal entry over the size of all: below zero one edge alone becomes unstable, also where nothing turns.
     #[must_use]
     pub fn diagonal(&self) -> f64 {
         let size = self.matrix.iter().flatten().fold(0.0_f64, |size, value| size.max(value.abs()));

@@ -41,7 +41,7 @@ pub enum Expected {
     Nothing(f64),
     /// No partial contact is stable at this speed whatever is held.
     NoPartial,
-    /// What happens depends on contacts whose gap is narrower than three zones, or on contacts that were not computed: not judged.
+    /// What happens depends on contacts whose gap is narrower than three zones, or on contacts that were not computed: not assessed.
     Unknown,
 }
 
@@ -66,8 +66,9 @@ pub struct Speed {
 const SAMPLES: usize = 4;
 /// Pieces of a smaller span, relative to the size of what is held, are rounding.
 const NOISE: f64 = 1e-7;
-/// A margin nearer to zero is not told. Both resolutions agree on smaller ones; along a gap of a hundredth, which both edges can move together, all margins are some 1e-5.
-const UNTOLD: f64 = 1e-5;
+/// A margin nearer to zero is not resolved. Both resolutions agree on smaller ones; along a gap of a hundredth, which both edges can move together, all margins are some
+/// 1e-5.
+const UNRESOLVED: f64 = 1e-5;
 /// Contacts nearer than this, over their size, are one.
 const SAME: f64 = 1e-3;
 /// Halvings between a stable contact and its unstable neighbour.
@@ -108,7 +109,7 @@ impl Speed {
         }
     }
 
-    /// The limits of every stable stretch.
+    /// The limits of every stable segment.
     #[must_use]
     pub fn limits(&self, held: Held) -> Vec<[f64; 2]> {
         let (stable, quantity) = self.of(held);
@@ -142,7 +143,7 @@ impl Speed {
             let limit = if up { upper(stable) } else { lower(stable) };
             match stable.border(quantity, up) {
                 Border::Strand(End::Row) => Expected::Unknown,
-                // Beyond a turn, and beyond an edge that runs away by itself, nothing but full contact is left of a wave.
+                // Beyond a turn, and beyond an edge that becomes unstable by itself, nothing but full contact is left of a wave.
                 Border::Turn | Border::Stability if up && self.bodies.indenter == Indenter::Wave => Expected::Full(limit),
                 _ => Expected::Nothing(limit),
             }
@@ -194,7 +195,7 @@ impl Speed {
 
     /// Without adhesion the limits are known: nothing pulls, and full contact needs |E*(kv)| at least.
     fn without_adhesion(&self, held: Held, value: f64) -> Option<Expected> {
-        // Contacts narrower than the rows are not told apart from nothing.
+        // Contacts narrower than the rows are not distinguished from nothing.
         if self
             .by_load
             .first()
@@ -260,19 +261,19 @@ fn stable_parts(bodies: &Bodies, piece: Piece, held: Held, changes: &mut usize) 
         return vec![piece];
     }
     let margin = |contact: &Equilibrium| Variations::new(bodies, contact, held).map_or(f64::NAN, |found| found.margin());
-    // Next to a turn the margin is zero, and so it is along a narrow gap: what is told is told by the larger ones.
+    // Next to a turn the margin is zero, and so it is along a narrow gap: what is reported is shown by the larger ones.
     let samples: Vec<f64> =
         (1..=SAMPLES).filter_map(|index| piece.contacts.get(index * piece.contacts.len() / (SAMPLES + 1))).map(margin).collect();
     let (least, most) =
         samples.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), &value| (least.min(value), most.max(value)));
     // At a turn the determinant vanishes, and beside it one edge alone may run away.
     let alone = |contact: Option<&Equilibrium>| {
-        contact.is_some_and(|contact| Variations::new(bodies, contact, held).is_ok_and(|found| found.diagonal() < -UNTOLD))
+        contact.is_some_and(|contact| Variations::new(bodies, contact, held).is_ok_and(|found| found.diagonal() < -UNRESOLVED))
     };
-    if least > -UNTOLD && most > UNTOLD && !alone(piece.contacts.first()) && !alone(piece.contacts.last()) {
+    if least > -UNRESOLVED && most > UNRESOLVED && !alone(piece.contacts.first()) && !alone(piece.contacts.last()) {
         return vec![piece];
     }
-    if most < UNTOLD {
+    if most < UNRESOLVED {
         return Vec::new();
     }
     // Contact by contact, and closer where it changes.
@@ -281,7 +282,7 @@ fn stable_parts(bodies: &Bodies, piece: Piece, held: Held, changes: &mut usize) 
     let mut before: Option<(&Equilibrium, bool)> = None;
     for contact in &piece.contacts {
         let margin = margin(contact);
-        let stable = if margin.abs() < UNTOLD { before.is_some_and(|(_, stable)| stable) } else { margin > 0.0 };
+        let stable = if margin.abs() < UNRESOLVED { before.is_some_and(|(_, stable)| stable) } else { margin > 0.0 };
         let border = before.filter(|(_, was)| *was != stable).and_then(|(last, _)| border_between(bodies, last, contact, held, stable));
         match (parts.last_mut(), before) {
             (Some(part), Some((_, true))) if stable => part.contacts.push(*contact),

@@ -1,7 +1,7 @@
 //! All steady contacts of one half-width, by algebra alone.
 //!
-//! At given half-width and speed every field of a contact is linear in u = (cos e, sin e, p̄), of a parabola in (1, e, p̄); so are the fields of both contacts with a moved
-//! edge at the same penetration. The work of each edge is therefore a quadratic form, and an equilibrium is a common point of two conics,
+//! At given half-width and speed every field of a contact is linear in u = (cos e, sin e, p̄), of a parabola in (1, e, p̄); so are the fields of both contacts with a
+//! moved edge at the same penetration. The work of each edge is therefore a quadratic form, and an equilibrium is a common point of two conics,
 //! ```text
 //! uᵀA_i u = 2πΓ_i (u₁² + u₂²)        i = trailing, leading        (parabola: u₁²)
 //! ```
@@ -187,7 +187,7 @@ impl Bodies {
                     continue;
                 }
                 let contact = ContactEdges { eccentricity, ..edges };
-                found.push(self.told(place, contact, u[2], largest)?);
+                found.push(self.reported(place, contact, u[2], largest)?);
             }
         }
         found.sort_by(|one, other| one.eccentricity.total_cmp(&other.eccentricity));
@@ -289,7 +289,7 @@ impl Bodies {
     }
 
     /// An equilibrium with its numbers and evidence.
-    fn told(&self, place: f64, edges: ContactEdges, pressure: f64, largest_amplitude: f64) -> Result<Equilibrium, Refusal> {
+    fn reported(&self, place: f64, edges: ContactEdges, pressure: f64, largest_amplitude: f64) -> Result<Equilibrium, Refusal> {
         let (edges, pressure) = self.corrected(edges, pressure)?;
         let state = self.solve(edges, Prescribed::MeanPressure(pressure))?;
         let works = self.works(edges, Prescribed::MeanPressure(pressure))?;

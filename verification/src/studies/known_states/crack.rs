@@ -3,7 +3,7 @@
 use super::super::draw::Draw;
 use crate::rivals::raw_crack_work::RawCrackWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// Relative error of the nested quadratures that is asked for.
@@ -15,7 +15,7 @@ pub const KNOWN_TO: f64 = 1e-9;
 #[derive(Debug, Clone)]
 pub struct KnownCrack {
     /// The plane solid.
-    pub material: Material,
+    pub material: PlaneMaterial,
     /// Opening or closing.
     pub motion: Motion,
     /// Work of adhesion and zone.

@@ -8,7 +8,7 @@
 use super::super::draw::Draw;
 use viscotack::crack::delayed::{LoadHistory, LoadSegment, Wave};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// What is known of a history.
@@ -31,7 +31,7 @@ pub enum KnownTime {
 #[derive(Debug, Clone)]
 pub struct KnownGrowth {
     /// The plane solid.
-    pub material: Material,
+    pub material: PlaneMaterial,
     /// Work of adhesion and zone.
     pub interface: Interface,
     /// The load.
@@ -94,7 +94,7 @@ fn place(draw: &mut Draw) -> Result<KnownGrowth, Refusal> {
     let interface = interface(draw);
     let (relaxed, beta) = (draw.log_between(1e2, 1e9), 1.0 + draw.log_between(0.1, 1e3));
     let retardation_time = draw.log_between(1e-6, 1e6);
-    let material = Material::standard_solid(relaxed, beta * relaxed, retardation_time)?;
+    let material = PlaneMaterial::standard_solid(relaxed, beta * relaxed, retardation_time)?;
     let c = draw.between(0.08, 0.9);
     // 1 − 1/k = c(1 − 1/β)
     let ratio = 1.0 / (1.0 - c * (1.0 - 1.0 / beta));
@@ -125,7 +125,7 @@ fn zone_length(interface: &Interface) -> f64 {
 
 /// What the terms hold at a time after the beginning of load cycles between nothing and one, as long as the tip rests: Σ_j J_j ∫ e^{−(t−t₁)/τ_j}K(t₁)dt₁/τ_j in 1/Pa.
 #[must_use]
-pub fn held_in_cycles(material: &Material, period: f64, cycle: f64, into: f64) -> f64 {
+pub fn held_in_cycles(material: &PlaneMaterial, period: f64, cycle: f64, into: f64) -> f64 {
     material
         .creep_terms()
         .iter()

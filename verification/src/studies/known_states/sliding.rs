@@ -6,7 +6,7 @@
 use super::super::draw::Draw;
 use super::partial_fractions::{FractionContact, Load, Spectrum};
 use std::f64::consts::PI;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::SlidingMemory;
 use viscotack::sliding::contact::Indenter;
@@ -22,7 +22,7 @@ pub const KNOWN_TO: f64 = 1e-8;
 #[derive(Debug, Clone)]
 pub struct KnownContact {
     /// The solid.
-    pub material: Material,
+    pub material: PlaneMaterial,
     /// kv (1/s).
     pub rate: f64,
     /// Works and zones of both edges.
@@ -95,7 +95,7 @@ impl KnownContact {
     }
 }
 
-fn spectrum(material: &Material, rate: f64) -> Result<Option<Spectrum>, Refusal> {
+fn spectrum(material: &PlaneMaterial, rate: f64) -> Result<Option<Spectrum>, Refusal> {
     let kernel = SlidingMemory::of_material(material, rate, 1.0)?;
     let relaxations = material.relaxation_terms().iter().map(|term| rate * term.relaxation_time).collect();
     Ok(Spectrum::new(&kernel, relaxations))

@@ -10,7 +10,7 @@ use super::super::draw::Draw;
 use super::zone_work;
 use std::f64::consts::PI;
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Profile};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::special::dawson::dawson_relative_deficit;
 
@@ -18,7 +18,7 @@ use viscotack::special::dawson::dawson_relative_deficit;
 #[derive(Debug, Clone)]
 pub struct KnownSphere {
     /// The solid, in moduli E*.
-    pub material: Material,
+    pub material: PlaneMaterial,
     /// What is asked.
     pub problem: IndentationProblem,
     /// At kept instants: place among them, then Δ (m), F (N), a (m).
@@ -80,7 +80,7 @@ pub fn known_sphere(draw: &mut Draw) -> Result<KnownSphere, Refusal> {
     }
 }
 
-fn solid(draw: &mut Draw) -> Result<(Material, f64, f64), Refusal> {
+fn solid(draw: &mut Draw) -> Result<(PlaneMaterial, f64, f64), Refusal> {
     let (relaxed, beta) = (draw.log_between(1e-2, 1e8), draw.log_between(1.2, 300.0));
     let (longest, decades, terms) = (draw.log_between(1e-4, 1e4), draw.between(0.5, 4.0), 1 + draw.below(4));
     Ok((draw.solid(relaxed, beta, longest, terms, decades)?, relaxed, longest))

@@ -11,7 +11,7 @@ use crate::studies::order::{Convergence, Expectation, FINEST};
 use crate::studies::section::{Cell, Check, Column, Effort, Section, Table};
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, LoadSegment, Onset, Resolution, onset, trajectory};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 const ZONE: f64 = 2.3e-6;
@@ -27,7 +27,7 @@ fn way(crossings: f64) -> f64 {
 }
 
 /// K at equal steps after the start.
-fn loads(material: &Material, halves: f64, first: f64, delay: f64, crossing: f64, steps: usize) -> Vec<f64> {
+fn loads(material: &PlaneMaterial, halves: f64, first: f64, delay: f64, crossing: f64, steps: usize) -> Vec<f64> {
     let step = crossing * CROSSINGS as f64 / steps as f64;
     let elapsed: Vec<f64> = (0..=steps).map(|index| material.creep(index as f64 * step)).collect();
     let places: Vec<f64> = (0..=steps).map(|index| way(index as f64 * step / crossing)).collect();
@@ -58,7 +58,7 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
         Column::words("case"),
         Column::new("points of the table", "1"),
         Column::new("largest error of the place", "δ"),
-        Column::new("largest bar of the place", "δ"),
+        Column::new("largest bound of the place", "δ"),
     ];
     let mut table = Table::new(
         "crack",
@@ -114,7 +114,7 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
     let tolerance = effort.choose(1e-4, 1e-5);
     section.checks.push(Check::new(
         "a chosen way of the tip is found again",
-        format!("within {tolerance:.0e} of the process zone with the finest table: what its straight stretches leave"),
+        format!("within {tolerance:.0e} of the process zone with the finest table: what its straight segments leave"),
         format!("{worst:.1e} at worst"),
         worst <= tolerance,
     ));

@@ -16,8 +16,8 @@ pub(super) fn study(effort: Effort, progress: &Progress) -> Section {
     );
     section.say(
         "Sphere: a work of adhesion that varies in time, as any chosen way of the edge would need, is no input of this program: Δγ is a constant of the interface, and making \
-         it one of time for a test alone would test something nobody runs. So the radius a(t) is chosen under a constant Δγ: the march that is driven by the edge gives \
-         the penetration Δ(t), and both the march that is driven in time and the dense annuli, which share no line with either, must give a(t) back. \
+         it one of time for a test alone would test something nobody runs. So the radius a(t) is chosen under a constant Δγ: the integration that is driven by the edge gives \
+         the penetration Δ(t), and both the integration that is driven in time and the dense annuli, which share no line with either, must give a(t) back. \
          The work at prescribed edges itself is compared with stored annuli in tests/indentation/annuli_reference.rs.",
     );
     type Part = fn(Effort, &mut Section) -> Result<(), viscotack::Refusal>;

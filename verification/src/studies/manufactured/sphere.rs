@@ -1,11 +1,11 @@
-//! A sphere whose contact radius a(t) is chosen: Δ(t) by the march driven by the edge; a(t) again by the march driven in time and by dense annuli.
+//! A sphere whose contact radius a(t) is chosen: Δ(t) by the integration driven by the edge; a(t) again by the integration driven in time and by dense annuli.
 
 use crate::rivals::annulus_indentation::{AnnulusScheme, AnnulusStart};
 use crate::studies::convergence::sphere::{WORK, ZONE, solid};
 use crate::studies::order::{Convergence, Expectation, FINEST};
 use crate::studies::section::{Cell, Check, Column, Effort, Section, Table};
 use rayon::prelude::*;
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, march};
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, integrate};
 use viscotack::refusal::Refusal;
 
 /// a goes from the first to the last radius in this time (s), straight.
@@ -27,7 +27,7 @@ fn problem(history: History, instants: u32) -> IndentationProblem {
 
 /// (t, Δ) that the chosen radius needs, at equally spaced times, the start first.
 fn depths(count: u32) -> Result<Vec<(f64, f64)>, Refusal> {
-    let trace = march(&solid()?, &problem(History::contact_radius(FIRST).ramp(LAST, DURATION), count), 1e-8)?;
+    let trace = integrate(&solid()?, &problem(History::contact_radius(FIRST).ramp(LAST, DURATION), count), 1e-8)?;
     Ok(trace.kept.iter().filter_map(|kept| trace.path.get(*kept)).map(|point| (point.time, point.penetration)).collect())
 }
 
@@ -40,7 +40,7 @@ fn in_time(depths: &[(f64, f64)]) -> Result<f64, Refusal> {
             history = history.ramp(after.1, after.0 - before.0);
         }
     }
-    let trace = march(&solid()?, &problem(history, 1), 1e-8)?;
+    let trace = integrate(&solid()?, &problem(history, 1), 1e-8)?;
     let points = trace.kept.iter().filter_map(|kept| trace.path.get(*kept));
     Ok(points.map(|point| (point.contact_radius - chosen(point.time)).abs() / FIRST).fold(0.0, f64::max))
 }
@@ -94,7 +94,8 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
     let own = last(&ours);
     let second = Expectation::Order { order: 2.0, least: 1.6, most: 3.0, reason: "Δ is straight between the points of its table" };
     section.checks.push(
-        Convergence { name: "chosen radius, march in time".into(), points: ours, floor: 1e-8, fitted: FINEST, expected: second }.check(),
+        Convergence { name: "chosen radius, integration in time".into(), points: ours, floor: 1e-8, fitted: FINEST, expected: second }
+            .check(),
     );
     let widths: Vec<f64> = theirs.iter().map(|(elements, error)| error * FIRST * elements / ZONE).collect();
     section.checks.push(Check::new(
@@ -104,8 +105,8 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
         widths.iter().all(|width| *width < 1.0),
     ));
     section.checks.push(Check::new(
-        "a chosen radius is found again by the march in time",
-        "within 1e-4 of itself with the finest table: what straight stretches of Δ leave",
+        "a chosen radius is found again by the integration in time",
+        "within 1e-4 of itself with the finest table: what straight segments of Δ leave",
         format!("{own:.1e}"),
         own <= 1e-4,
     ));

@@ -8,7 +8,7 @@ use viscotack::finite_range::law::{Attraction, Law};
 use viscotack::finite_range::line::{
     Control, Harmonic, Problem, Profile, Request, Roughness, SteadyState, follow, modulus_of, rough, solve,
 };
-use viscotack::material::{CreepTerm, Material};
+use viscotack::material::{CreepTerm, PlaneMaterial};
 use viscotack::refusal::Refusal;
 
 /// The stiffening of the solid.
@@ -18,7 +18,7 @@ fn problem(profile: Profile, law: Law, gamma: f64, range: f64, pressure: f64) ->
     let term = CreepTerm { compliance: 1.0 - 1.0 / STIFFENING, retardation_time: 1.0 };
     Ok(Problem {
         profile,
-        modulus: modulus_of(&Material::from_creep(STIFFENING, &[term], None)?)?,
+        modulus: modulus_of(&PlaneMaterial::from_creep(STIFFENING, &[term], None)?)?,
         speed: 1.0,
         attraction: Attraction::new(law, TAU * gamma, range)?,
         layer: None,

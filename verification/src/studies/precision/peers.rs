@@ -8,12 +8,12 @@ use crate::studies::stored::stored_runs;
 use crate::studies::timing::{Timed, timed};
 use std::f64::consts::PI;
 use viscotack::indentation::{Contact, Profile, Springs, Sweep};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, steady_sliding};
 
 /// Diagrams of the other sections, which draw their own stored runs.
-const ELSEWHERE: [&str; 7] = [
+const DRAWN_BY_OTHERS: [&str; 7] = [
     "sliding_one_term",
     "sliding_twelve_terms",
     "sphere_retraction",
@@ -41,7 +41,7 @@ fn elastic_wave() -> Result<f64, Refusal> {
         control: SlidingControl::MeanPressure(pressure),
         accuracy: 1e-12,
     };
-    let SlidingOutcome::Partial(found) = steady_sliding(&Material::elastic(1.1e6)?, &problem)? else {
+    let SlidingOutcome::Partial(found) = steady_sliding(&PlaneMaterial::elastic(1.1e6)?, &problem)? else {
         return Err(Refusal::Undefined { quantity: "the edges", reason: "full contact".into() });
     };
     let square = pressure;
@@ -107,14 +107,14 @@ pub(in crate::studies) fn study(_: Effort, progress: &Progress) -> Section {
     let mut section = Section::new("precision_peers", "Work and precision: other programs");
     let mut problems: Vec<String> = Vec::new();
     for run in stored_runs() {
-        if !problems.contains(&run.problem) && !ELSEWHERE.contains(&run.problem.as_str()) {
+        if !problems.contains(&run.problem) && !DRAWN_BY_OTHERS.contains(&run.problem.as_str()) {
             problems.push(run.problem);
         }
     }
     progress.expect(1);
     section.say(
         "Programs that are not part of this one were run once, on the machine and day that the tables name; their runs are drawn hollow. Their times are those of another \
-         day, and no verdict is drawn from them. Tamaas steps a generalised Maxwell half-space, but has no adhesion with it, so on the adhesive sliding wave it has no run.",
+         day, and no result is drawn from them. Tamaas steps a generalised Maxwell half-space, but has no adhesion with it, so on the adhesive sliding wave it has no run.",
     );
     for problem in problems {
         let (caption, error, methods) = known(&problem);

@@ -7,7 +7,7 @@ use crate::studies::convergence::stored_sliding::material_of;
 use crate::studies::reference::{SLIDING_WAVE, rows};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::timing::{Timed, timed};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
 use viscotack::sliding::steady::{
@@ -27,7 +27,7 @@ const ACCURACIES: [f64; 7] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-11, 1e-12];
 
 /// A stored contact of another program.
 pub(super) struct State {
-    pub(super) material: Material,
+    pub(super) material: PlaneMaterial,
     pub(super) memory: ContactMemory,
     pub(super) adhesion: WaveAdhesion,
     pub(super) pressure: f64,
@@ -221,7 +221,7 @@ pub(in crate::studies) fn study(effort: Effort, progress: &Progress) -> Section 
     section.say(
         "Every method finds both edges of the same contact with the same Newton's method. The rivals start one percent off; this program also without any start, by its path in \
          speed. An evaluation of the rivals is three dense systems of N equations, one of this program three systems of as many equations as the solid has terms. This program \
-         gives an error bar with each number, the rivals give none.",
+         gives an error bound with each number, the rivals give none.",
     );
     let meshes = effort.choose(vec![25, 50, 100], vec![25, 50, 100, 200, 400]);
     let cases = [

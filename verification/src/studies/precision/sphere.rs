@@ -1,10 +1,10 @@
-//! A retraction of a sphere: the march beside dense annuli.
+//! A retraction of a sphere: the integration beside dense annuli.
 
 use super::{Diagram, Method, Sample};
 use crate::studies::convergence::sphere::{against_stored, annuli, error, forces, retraction, solid, truth};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::timing::{Timed, timed};
-use viscotack::indentation::{march, run};
+use viscotack::indentation::{integrate, run};
 use viscotack::refusal::Refusal;
 
 fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
@@ -24,7 +24,7 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
                         ("points updated", found.work.history_updates),
                     ];
                     let counted = work.map(|(counted, count)| (counted, count as f64)).to_vec();
-                    Sample { setting, seconds, runs, counted, error: Ok(error(&forces(&found.march), &truth)) }
+                    Sample { setting, seconds, runs, counted, error: Ok(error(&forces(&found.integration), &truth)) }
                 }
                 Err(refusal) => Sample { setting, seconds, runs, counted: Vec::new(), error: Err(refusal.to_string()) },
             }
@@ -35,7 +35,7 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
         .into_iter()
         .map(|tolerance| {
             let problem = retraction(tolerance);
-            let Timed { seconds, runs, result: found } = timed(|| march(&material, &problem, tolerance));
+            let Timed { seconds, runs, result: found } = timed(|| integrate(&material, &problem, tolerance));
             let setting = format!("{tolerance:.0e}");
             match found {
                 Ok(trace) => {
@@ -49,7 +49,7 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
         .collect();
     let mut methods = vec![
         Method { name: "this program".into(), own: true, samples: own },
-        Method { name: "one march, no bars".into(), own: true, samples: single },
+        Method { name: "one integration, no bounds".into(), own: true, samples: single },
     ];
     for (name, keep, meshes) in [
         ("annuli, factors kept", true, effort.choose(vec![2_usize, 4, 8], vec![2, 4, 8, 16, 32])),
@@ -79,7 +79,7 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
         identifier: "sphere_retraction".into(),
         caption: format!(
             "A sphere retracted from a relaxed contact past its largest tension (β = 10, V·ρ/R = 2·10⁻³): largest error of the force at nine instants, over the largest force. \
-             Truth: the march at 10⁻⁹, which the stored annuli of another program meet within {sure:.0e}."
+             Truth: the integration at 10⁻⁹, which the stored annuli of another program meet within {sure:.0e}."
         ),
         error: r"error of $F/F_{\mathrm{max}}$",
         counted: "evaluations of the closure",
@@ -92,7 +92,7 @@ pub(in crate::studies) fn study(effort: Effort, progress: &Progress) -> Section 
     let mut section = Section::new("precision_sphere", "Work and precision: the sphere");
     progress.expect(1);
     section.say(
-        "This program tells the numbers of a march that two others judge, ten and a hundred times tighter: the time is of all three; a single march gives no error bar, as the rival gives none. The annuli are the thesis's scheme, each trial edge a dense \
+        "This program tells the numbers of an integration that two others assess, ten and a hundred times tighter: the time is of all three; a single integration gives no error bound, as the rival gives none. The annuli are the thesis's scheme, each trial edge a dense \
          system of its own as printed, or with the factors of an edge kept. An evaluation of theirs costs the square of the number of annuli at least.",
     );
     match diagram(effort) {

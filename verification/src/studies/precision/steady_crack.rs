@@ -7,11 +7,11 @@ use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::timing::{Timed, timed};
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve, at_speed};
-use viscotack::material::{CreepTerm, Material, RelaxationTerm};
+use viscotack::material::{CreepTerm, PlaneMaterial, RelaxationTerm};
 use viscotack::refusal::Refusal;
 
 /// A material of the reference file.
-fn material(name: &str) -> Result<Material, Refusal> {
+fn material(name: &str) -> Result<PlaneMaterial, Refusal> {
     let all = rows(STEADY_CRACK_MATERIALS);
     let of = |key: &str| -> Vec<f64> {
         all.iter().filter(|row| row.text("material") == name && row.text("key") == key).map(|row| row.number("value")).collect()
@@ -23,14 +23,14 @@ fn material(name: &str) -> Result<Material, Refusal> {
             .zip(of("retardation_time"))
             .map(|(compliance, retardation_time)| CreepTerm { compliance, retardation_time })
             .collect();
-        return Material::from_creep(glassy, &terms, first("flow_viscosity"));
+        return PlaneMaterial::from_creep(glassy, &terms, first("flow_viscosity"));
     }
     let terms: Vec<RelaxationTerm> = of("relaxation_strength")
         .into_iter()
         .zip(of("relaxation_time"))
         .map(|(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time })
         .collect();
-    Material::from_relaxation(first("relaxed_modulus").unwrap_or(f64::NAN), &terms)
+    PlaneMaterial::from_relaxation(first("relaxed_modulus").unwrap_or(f64::NAN), &terms)
 }
 
 /// One speed: v, its interface, G/Δγ.

@@ -50,7 +50,7 @@ impl Published {
         })
     }
 
-    /// What was asked, by which repeated rows are told.
+    /// What was asked, by which repeated rows are recognised.
     #[must_use]
     pub fn state(&self) -> [i64; 5] {
         [self.rate, self.preload, self.tabor, self.modulus_ratio, self.exponent].map(|value| (value.ln() * 1e6).round() as i64)

@@ -4,7 +4,7 @@ use super::published::Published;
 use std::f64::consts::PI;
 use viscotack::finite_range::sphere::{Accuracy, Mesher, run};
 use viscotack::indentation::{self, Adhesion, EdgeLaw, History, IndentationProblem, Profile};
-use viscotack::material::{CreepTerm, Material};
+use viscotack::material::{CreepTerm, PlaneMaterial};
 use viscotack::refusal::Refusal;
 
 /// Tolerances of both runs.
@@ -74,7 +74,7 @@ fn edge(row: &Published, to: f64, growing: bool) -> Result<Option<f64>, Refusal>
         .zip(&creep.times)
         .map(|(fraction, &retardation_time)| CreepTerm { compliance: gained * fraction, retardation_time })
         .collect();
-    let material = Material::from_creep(creep.stiffening, &terms, None)?;
+    let material = PlaneMaterial::from_creep(creep.stiffening, &terms, None)?;
     let work = (row.tabor * RANGE).powf(1.5);
     let stress = PEAK * work / RANGE;
     let adhesion = Adhesion { work_of_adhesion: work, process_zone: 0.25 * PI * work / (stress * stress) };

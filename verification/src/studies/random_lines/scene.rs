@@ -4,7 +4,7 @@ use crate::studies::draw::Draw;
 use std::f64::consts::TAU;
 use viscotack::finite_range::law::{Attraction, Law};
 use viscotack::finite_range::line::{Control, Harmonic, Problem, Profile, modulus_of};
-use viscotack::material::{CreepTerm, Material};
+use viscotack::material::{CreepTerm, PlaneMaterial};
 use viscotack::refusal::Refusal;
 use viscotack::sliding::layer::{Backing, Layer};
 
@@ -31,7 +31,7 @@ pub(super) fn drawn(seed: u64, number: u64) -> Result<(Problem, f64), Refusal> {
             term
         })
         .collect();
-    let modulus = modulus_of(&Material::from_creep(beta, &creep, None)?)?;
+    let modulus = modulus_of(&PlaneMaterial::from_creep(beta, &creep, None)?)?;
     let speed = draw.log_between(1e-3, 1e3);
     let law = match draw.below(6) {
         0..=2 => Law::Exponential,

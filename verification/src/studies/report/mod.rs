@@ -4,7 +4,7 @@ mod format;
 mod page;
 
 use super::run::Report;
-use super::section::{Cell, Check, Plot, Table, Verdict};
+use super::section::{Cell, Check, CheckResult, Plot, Table};
 use serde_json::{Value, json};
 use viscotack_program::outcome::csv_table;
 
@@ -60,9 +60,9 @@ fn of_plot(plot: &Plot) -> Result<Vec<u8>, csv::Error> {
 }
 
 fn checks(report: &Report) -> Result<Vec<u8>, csv::Error> {
-    let header = ["section", "verdict", "check", "expected", "found"].map(str::to_owned);
+    let header = ["section", "result", "check", "expected", "found"].map(str::to_owned);
     let row = |section: &str, check: &Check| {
-        [section, check.verdict.word(), &check.name, &check.expected, &check.found].map(|word| Cell::Word(word.to_owned())).to_vec()
+        [section, check.result.word(), &check.name, &check.expected, &check.found].map(|word| Cell::Word(word.to_owned())).to_vec()
     };
     let rows: Vec<Vec<Cell>> =
         report.sections.iter().flat_map(|section| section.checks.iter().map(|check| row(&section.identifier, check))).collect();
@@ -70,12 +70,12 @@ fn checks(report: &Report) -> Result<Vec<u8>, csv::Error> {
 }
 
 fn summary(report: &Report) -> Value {
-    let count = |verdict: Verdict| report.count(verdict);
+    let count = |result: CheckResult| report.count(result);
     let sections: Vec<Value> = report
         .sections
         .iter()
         .map(|section| {
-            let [passed, stated, failed] = [Verdict::Passed, Verdict::Stated, Verdict::Failed].map(|verdict| section.count(verdict));
+            let [passed, stated, failed] = [CheckResult::Passed, CheckResult::Stated, CheckResult::Failed].map(|result| section.count(result));
             json!({ "section": section.identifier, "title": section.title, "seconds": section.seconds, "passed": passed, "stated": stated, "failed": failed })
         })
         .collect();
@@ -88,9 +88,9 @@ fn summary(report: &Report) -> Value {
         "cores": report.stamp.cores,
         "date": report.stamp.date,
         "seconds": report.seconds,
-        "passed": count(Verdict::Passed),
-        "stated": count(Verdict::Stated),
-        "failed": count(Verdict::Failed),
+        "passed": count(CheckResult::Passed),
+        "stated": count(CheckResult::Stated),
+        "failed": count(CheckResult::Failed),
         "sections": sections,
     })
 }

@@ -2,7 +2,7 @@
 
 use super::{plot_name, table_name};
 use crate::studies::run::Report;
-use crate::studies::section::{Cell, Check, Plot, Section, Table, Verdict};
+use crate::studies::section::{Cell, Check, CheckResult, Plot, Section, Table};
 use std::fmt::Write as _;
 use viscotack_program::outcome::page::{closed, duration, escaped, number, opened};
 use viscotack_program::outcome::plot::{self, PlotError};
@@ -14,7 +14,7 @@ const LONG_WORDS: usize = 36;
 
 /// The whole page.
 pub(super) fn page(report: &Report) -> String {
-    let mut text = opened(&format!("viscotack verify: {}", verdict(report).to_lowercase()));
+    let mut text = opened(&format!("viscotack verify: {}", result(report).to_lowercase()));
     text.push_str(&head(report));
     text.push_str(&loud(report));
     text.push_str(&headlines(report));
@@ -33,8 +33,8 @@ fn stamp(report: &Report) -> String {
 }
 
 /// What a reader wants to know first: what is stated does not fail, but does not hold either.
-fn verdict(report: &Report) -> &'static str {
-    match [Verdict::Failed, Verdict::Stated].map(|verdict| report.count(verdict)) {
+fn result(report: &Report) -> &'static str {
+    match [CheckResult::Failed, CheckResult::Stated].map(|result| report.count(result)) {
         [0, 0] => "All checks hold",
         [0, _] => "No check failed",
         _ => "Checks failed",
@@ -42,9 +42,9 @@ fn verdict(report: &Report) -> &'static str {
 }
 
 fn head(report: &Report) -> String {
-    let [passed, stated, failed] = [Verdict::Passed, Verdict::Stated, Verdict::Failed].map(|verdict| report.count(verdict));
+    let [passed, stated, failed] = [CheckResult::Passed, CheckResult::Stated, CheckResult::Failed].map(|result| report.count(result));
     let effort = report.effort.choose("reduced run", "full run");
-    let word = verdict(report);
+    let word = result(report);
     let class = if failed == 0 { "good" } else { "bad" };
     format!(
         "<header>\n<p class=\"name\">viscotack verify, {effort}</p>\n<h1 class=\"{class}\">{word}</h1>\n<ul class=\"counts\">\n\
@@ -60,8 +60,8 @@ fn head(report: &Report) -> String {
 /// What did not hold, before anything else.
 fn loud(report: &Report) -> String {
     let mut text = String::new();
-    for (verdict, heading) in [(Verdict::Failed, "What failed"), (Verdict::Stated, "What does not hold and is only stated")] {
-        let all: Vec<(&Section, &Check)> = report.ended(verdict).collect();
+    for (result, heading) in [(CheckResult::Failed, "What failed"), (CheckResult::Stated, "What does not hold and is only stated")] {
+        let all: Vec<(&Section, &Check)> = report.ended(result).collect();
         if all.is_empty() {
             continue;
         }
@@ -87,7 +87,7 @@ fn headlines(report: &Report) -> String {
 fn overview(report: &Report) -> String {
     let mut text = "<h2>Sections</h2>\n<div class=\"wide\"><table class=\"overview\">\n<thead><tr><th>section</th><th>passed</th><th>stated</th><th>failed</th><th>time</th></tr></thead>\n<tbody>\n".to_owned();
     for section in &report.sections {
-        let [passed, stated, failed] = [Verdict::Passed, Verdict::Stated, Verdict::Failed].map(|verdict| section.count(verdict));
+        let [passed, stated, failed] = [CheckResult::Passed, CheckResult::Stated, CheckResult::Failed].map(|result| section.count(result));
         let class = if failed > 0 { " class=\"failed\"" } else { "" };
         let _ = writeln!(
             text,
@@ -144,24 +144,24 @@ fn of_checks(checks: &[Check]) -> String {
     let list = |wanted: &dyn Fn(&Check) -> bool| {
         checks.iter().filter(|check| wanted(check)).fold(String::new(), |all, check| all + &of_check(check, None))
     };
-    let passed = checks.iter().filter(|check| check.verdict == Verdict::Passed).count();
+    let passed = checks.iter().filter(|check| check.result == CheckResult::Passed).count();
     let mut text = String::new();
-    let open = list(&|check| check.verdict != Verdict::Passed || passed <= MOST_OPEN);
+    let open = list(&|check| check.result != CheckResult::Passed || passed <= MOST_OPEN);
     if !open.is_empty() {
         let _ = write!(text, "<ul class=\"checks\">\n{open}</ul>\n");
     }
     if passed > MOST_OPEN {
-        let folded = list(&|check| check.verdict == Verdict::Passed);
+        let folded = list(&|check| check.result == CheckResult::Passed);
         let _ = write!(text, "<details>\n<summary>{passed} checks passed</summary>\n<ul class=\"checks\">\n{folded}</ul>\n</details>\n");
     }
     text
 }
 
 fn of_check(check: &Check, section: Option<&Section>) -> String {
-    let class = match check.verdict {
-        Verdict::Passed => "passed",
-        Verdict::Stated => "stated",
-        Verdict::Failed => "failed",
+    let class = match check.result {
+        CheckResult::Passed => "passed",
+        CheckResult::Stated => "stated",
+        CheckResult::Failed => "failed",
     };
     let place = section
         .map_or_else(String::new, |section| format!(" <a href=\"#{}\">{}</a>", escaped(&section.identifier), escaped(&section.title)));

@@ -17,7 +17,7 @@ use viscotack::indentation::{IndentationProblem, run};
 use viscotack::refusal::Refusal;
 use viscotack::sliding::steady::{SlidingOutcome, steady_sliding};
 
-/// The seed of all scenes; another one than that of the bars.
+/// The seed of all scenes; another one than that of the bounds.
 pub const SEED: u64 = 0x10_000_5ce;
 /// What a value may be off, over its scale: the accuracy asked for and what is known of the drawn state.
 const SLIDING: (f64, f64) = (1e-7, 2e-7);
@@ -30,7 +30,7 @@ const SPHERE: (f64, f64) = (1e-3, 1e-3);
 
 /// How a scene came out.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Verdict {
+pub enum SweepResult {
     /// The drawn state, with the largest error over its scale.
     Right(f64),
     /// Another state of the same scene, confirmed by the other route.
@@ -40,22 +40,22 @@ pub enum Verdict {
 }
 
 /// The largest |found − known| over scale of pairs (found, known, scale): right within a tolerance.
-fn within(pairs: &[(f64, f64, f64)], tolerance: f64) -> Verdict {
+fn within(pairs: &[(f64, f64, f64)], tolerance: f64) -> SweepResult {
     let worst = pairs.iter().fold(0.0_f64, |worst, (found, known, scale)| {
         let off = (found - known).abs() / scale;
         // A NaN is as wrong as can be.
         if off.is_nan() { f64::INFINITY } else { worst.max(off) }
     });
     if worst <= tolerance {
-        Verdict::Right(worst)
+        SweepResult::Right(worst)
     } else {
-        Verdict::Wrong(format!("off by {worst:.2e} of its scale, {tolerance:.0e} allowed"))
+        SweepResult::Wrong(format!("off by {worst:.2e} of its scale, {tolerance:.0e} allowed"))
     }
 }
 
 /// Solves a sliding contact that is known.
 #[must_use]
-pub fn sliding(known: &KnownContact) -> Verdict {
+pub fn sliding(known: &KnownContact) -> SweepResult {
     match steady_sliding(&known.material, &known.problem(SLIDING.0)) {
         Ok(SlidingOutcome::Partial(found)) => {
             let values = &found.values;
@@ -65,30 +65,30 @@ pub fn sliding(known: &KnownContact) -> Verdict {
                 .zip(known.values())
                 .map(|(estimate, (_, value))| (estimate.value, value, value.abs().max(1.0) + estimate.error / SLIDING.1))
                 .collect();
-            let verdict = within(&pairs, SLIDING.1);
+            let result = within(&pairs, SLIDING.1);
             let defect = || known.defect_at(values.half_width.value, values.eccentricity.value, values.mean_pressure.value);
-            match verdict {
-                Verdict::Wrong(_) => match defect().filter(|defect| *defect < 1e-5) {
-                    Some(defect) => Verdict::Another(defect),
-                    None => verdict,
+            match result {
+                SweepResult::Wrong(_) => match defect().filter(|defect| *defect < 1e-5) {
+                    Some(defect) => SweepResult::Another(defect),
+                    None => result,
                 },
-                _ => verdict,
+                _ => result,
             }
         }
-        Ok(SlidingOutcome::Full(full)) => Verdict::Wrong(format!("full contact, past {} {:e}", full.limit_name, full.limit)),
-        Err(refusal) => Verdict::Wrong(refusal.to_string()),
+        Ok(SlidingOutcome::Full(full)) => SweepResult::Wrong(format!("full contact, past {} {:e}", full.limit_name, full.limit)),
+        Err(refusal) => SweepResult::Wrong(refusal.to_string()),
     }
 }
 
 /// Solves a crack that is known, by its speed and by its load.
 #[must_use]
-pub fn crack(known: &KnownCrack) -> Verdict {
-    let solved = || -> Result<Verdict, Refusal> {
+pub fn crack(known: &KnownCrack) -> SweepResult {
+    let solved = || -> Result<SweepResult, Refusal> {
         let curve = VirtualWork::new(&known.material, known.motion, known.interface)?;
         let by_speed = at_speed(&curve, known.speed, CRACK.0)?;
         let by_drive = at_drive(&curve, known.drive, CRACK.0)?;
         // A speed that is known to the last digit fixes the load to as many more or fewer as the curve is flat or steep, and the other way round; near a limit of the
-        // load the speed hardly depends on it, which its bar says.
+        // load the speed hardly depends on it, which its bound says.
         let steep = 1.0 + by_speed.speed_exponent.abs();
         let release = by_speed.energy_release_rate_ratio.map_or(known.release, |ratio| ratio.value);
         let speed_scale = known.speed * (1.0 / by_drive.speed_exponent.abs().max(1e-300)).max(1.0);
@@ -101,13 +101,13 @@ pub fn crack(known: &KnownCrack) -> Verdict {
             CRACK.1,
         ))
     };
-    solved().unwrap_or_else(|refusal| Verdict::Wrong(refusal.to_string()))
+    solved().unwrap_or_else(|refusal| SweepResult::Wrong(refusal.to_string()))
 }
 
 /// Solves a history that is known.
 #[must_use]
-pub fn delayed(known: &KnownGrowth) -> Verdict {
-    let solved = || -> Result<Verdict, Refusal> {
+pub fn delayed(known: &KnownGrowth) -> SweepResult {
+    let solved = || -> Result<SweepResult, Refusal> {
         let problem = GrowthProblem::new(&known.material, known.interface, 0.0)?;
         let found = trajectory(&problem, &known.history, &[known.until], Resolution::default())?;
         Ok(match known.known {
@@ -118,7 +118,7 @@ pub fn delayed(known: &KnownGrowth) -> Verdict {
                     let steep = 1.0 + 1e-10 * known.material.creep(time) / rate;
                     within(&[(started.value, time, time * steep)], DELAYED)
                 }
-                _ => Verdict::Wrong("no growth".into()),
+                _ => SweepResult::Wrong("no growth".into()),
             },
             KnownTime::Place { growth, speed, .. } => match found.samples.first() {
                 Some(sample) => {
@@ -128,37 +128,43 @@ pub fn delayed(known: &KnownGrowth) -> Verdict {
                         DELAYED,
                     )
                 }
-                None => Verdict::Wrong("no sample".into()),
+                None => SweepResult::Wrong("no sample".into()),
             },
         })
     };
-    solved().unwrap_or_else(|refusal| Verdict::Wrong(refusal.to_string()))
+    solved().unwrap_or_else(|refusal| SweepResult::Wrong(refusal.to_string()))
 }
 
 /// Solves a sphere that is known.
 #[must_use]
-pub fn sphere(known: &KnownSphere) -> Verdict {
+pub fn sphere(known: &KnownSphere) -> SweepResult {
     match run(&known.material, &IndentationProblem { accuracy: SPHERE.0, ..known.problem.clone() }) {
         Ok(found) => {
             let mut pairs = Vec::new();
             for (place, values) in &known.instants {
-                let Some(instant) = found.instants.get(*place) else { return Verdict::Wrong("an instant is missing".into()) };
+                let Some(instant) = found.instants.get(*place) else { return SweepResult::Wrong("an instant is missing".into()) };
                 let estimates = [instant.penetration.value, instant.force.value, instant.contact_radius.value];
                 pairs.extend(estimates.into_iter().zip(values).zip(known.scales).map(|((found, value), scale)| (found, *value, scale)));
             }
             within(&pairs, SPHERE.1)
         }
-        Err(refusal) => Verdict::Wrong(refusal.to_string()),
+        Err(refusal) => SweepResult::Wrong(refusal.to_string()),
     }
 }
 
-/// One scene of a problem: verdict, kind, and in words.
-type Scene = (Verdict, String);
+/// One scene of a problem: result, kind, and in words.
+type Scene = (SweepResult, String);
 
-fn drawn<K>(seed: u64, scene: u64, draw: fn(&mut Draw) -> Result<K, Refusal>, solve: fn(&K) -> Verdict, words: fn(&K) -> String) -> Scene {
+fn drawn<K>(
+    seed: u64,
+    scene: u64,
+    draw: fn(&mut Draw) -> Result<K, Refusal>,
+    solve: fn(&K) -> SweepResult,
+    words: fn(&K) -> String,
+) -> Scene {
     match draw(&mut Draw::of(SEED ^ seed, scene)) {
         Ok(known) => (solve(&known), words(&known)),
-        Err(refusal) => (Verdict::Wrong(format!("the scene could not be made: {refusal}")), String::new()),
+        Err(refusal) => (SweepResult::Wrong(format!("the scene could not be made: {refusal}")), String::new()),
     }
 }
 
@@ -176,7 +182,7 @@ const PROBLEMS: [Problem; 4] = [
         name: "steady sliding",
         scene: |scene| drawn(1, scene, known_contact, sliding, KnownContact::described),
         scenes: (250, 3000),
-        tolerance: "2e-7 of max(|value|, 1) and the bar: 1e-7 is asked for, the drawn state is known to 1e-8",
+        tolerance: "2e-7 of max(|value|, 1) and the bound: 1e-7 is asked for, the drawn state is known to 1e-8",
     },
     Problem {
         name: "steady crack",
@@ -218,7 +224,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
         Column::words("tolerance, and why"),
     ];
     let mut table = Table::new("scenes", "How the scenes came out.", columns);
-    let mut complaints = Table::new(
+    let mut failures = Table::new(
         "wrong",
         "Scenes that came out wrong: empty if all is well.",
         vec![Column::words("problem"), Column::new("scene", "1"), Column::words("what")],
@@ -232,15 +238,15 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
                 found
             })
             .collect();
-        let right = found.iter().filter(|(verdict, _)| matches!(verdict, Verdict::Right(_))).count();
-        let another = found.iter().filter(|(verdict, _)| matches!(verdict, Verdict::Another(_))).count();
+        let right = found.iter().filter(|(result, _)| matches!(result, SweepResult::Right(_))).count();
+        let another = found.iter().filter(|(result, _)| matches!(result, SweepResult::Another(_))).count();
         let worst =
-            found.iter().fold(0.0_f64, |worst, (verdict, _)| if let Verdict::Right(off) = verdict { worst.max(*off) } else { worst });
+            found.iter().fold(0.0_f64, |worst, (result, _)| if let SweepResult::Right(off) = result { worst.max(*off) } else { worst });
         let wrong: Vec<(usize, String)> = found
             .iter()
             .enumerate()
-            .filter_map(|(scene, (verdict, words))| match verdict {
-                Verdict::Wrong(what) => Some((scene, format!("{what}: {words}"))),
+            .filter_map(|(scene, (result, words))| match result {
+                SweepResult::Wrong(what) => Some((scene, format!("{what}: {words}"))),
                 _ => None,
             })
             .collect();
@@ -267,9 +273,9 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
             format!("{right} of {}", found.len()),
             100 * right >= 95 * found.len(),
         ));
-        complaints.rows.extend(wrong.into_iter().map(|(scene, what)| vec![word(problem.name), count(scene), word(what)]));
+        failures.rows.extend(wrong.into_iter().map(|(scene, what)| vec![word(problem.name), count(scene), word(what)]));
     }
     section.tables.push(table);
-    section.tables.push(complaints.folded());
+    section.tables.push(failures.folded());
     section
 }

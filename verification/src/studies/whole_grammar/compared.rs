@@ -43,7 +43,7 @@ impl Value {
 
 /// A scene with its numbers.
 #[derive(Debug, Clone)]
-pub struct Judged {
+pub struct Assessed {
     /// The scene.
     pub drawn: Drawn,
     /// Its number.
@@ -58,7 +58,7 @@ pub struct Judged {
 
 /// Draws and solves a scene twice.
 #[must_use]
-pub fn judged(seed: u64, problem: Problem, scene: u64) -> Judged {
+pub fn assessed(seed: u64, problem: Problem, scene: u64) -> Assessed {
     let first = drawn(seed, problem, scene, 0);
     let second = drawn(seed, problem, scene, 1);
     let (found, exact) = (first.solved(first.accuracy), second.solved_tightly());
@@ -67,13 +67,13 @@ pub fn judged(seed: u64, problem: Problem, scene: u64) -> Judged {
 
 /// The rows of a scene beside those of its truth.
 #[must_use]
-pub fn compared_with(drawn: Drawn, scene: u64, found: Result<Outcome, String>, exact: Result<Outcome, String>) -> Judged {
-    let mut judged = Judged { drawn, scene, values: Vec::new(), unmatched: Vec::new(), refused: [None, None] };
+pub fn compared_with(drawn: Drawn, scene: u64, found: Result<Outcome, String>, exact: Result<Outcome, String>) -> Assessed {
+    let mut assessed = Assessed { drawn, scene, values: Vec::new(), unmatched: Vec::new(), refused: [None, None] };
     match (found, exact) {
-        (Ok(found), Ok(exact)) => compare(&mut judged, &found, &exact),
-        (found, exact) => judged.refused = [found.err(), exact.err()],
+        (Ok(found), Ok(exact)) => compare(&mut assessed, &found, &exact),
+        (found, exact) => assessed.refused = [found.err(), exact.err()],
     }
-    judged
+    assessed
 }
 
 /// Whether a row is a point of a branch that is no turn.
@@ -81,17 +81,17 @@ fn is_spread(problem: Problem, row: &Row) -> bool {
     problem == Problem::Sliding && row.labels.len() > 3 && row.labels.last().is_some_and(String::is_empty)
 }
 
-fn compare(judged: &mut Judged, found: &Outcome, exact: &Outcome) {
+fn compare(assessed: &mut Assessed, found: &Outcome, exact: &Outcome) {
     let time = found.columns.iter().position(|column| column.name == "time");
     if !found.columns.iter().map(|column| column.name).eq(exact.columns.iter().map(|column| column.name)) {
-        judged.unmatched.push("both answers have other columns".into());
+        assessed.unmatched.push("both answers have other columns".into());
         return;
     }
     // How many cycles it takes until they are stationary depends on the accuracy, and with it which one is the last.
-    let settles = ["until_stationary", "\"dynamic\""].into_iter().any(|word| judged.drawn.text.contains(word));
+    let settles = ["until_stationary", "\"dynamic\""].into_iter().any(|word| assessed.drawn.text.contains(word));
     let rows = |outcome: &Outcome| {
         let mut groups: BTreeMap<(usize, Vec<String>), Vec<Row>> = BTreeMap::new();
-        for row in outcome.rows.iter().filter(|row| !(is_spread(judged.drawn.problem, row) || settles && row.label(0) == SUMMARY)) {
+        for row in outcome.rows.iter().filter(|row| !(is_spread(assessed.drawn.problem, row) || settles && row.label(0) == SUMMARY)) {
             groups.entry((row.state, row.labels.clone())).or_default().push(row.clone());
         }
         groups
@@ -107,23 +107,23 @@ fn compare(judged: &mut Judged, found: &Outcome, exact: &Outcome) {
             _ => true,
         };
         if founds.len() == truths.len() && founds.iter().zip(&truths).all(|(found, truth)| together(found, truth)) {
-            founds.iter().zip(&truths).for_each(|(found, truth)| pair(judged, (&name, found, truth), &exact_columns(exact), exact));
+            founds.iter().zip(&truths).for_each(|(found, truth)| pair(assessed, (&name, found, truth), &exact_columns(exact), exact));
             continue;
         }
         // Points between instants stand where steps of the solver ended.
         if time.is_none() || event {
-            judged.unmatched.push(format!("{name}: {} rows, and {} at the tighter accuracy", founds.len(), truths.len()));
+            assessed.unmatched.push(format!("{name}: {} rows, and {} at the tighter accuracy", founds.len(), truths.len()));
             continue;
         }
         for found in &founds {
             let partner = truths.iter().find(|truth| together(found, truth));
             if let Some(truth) = partner {
-                pair(judged, (&name, found, truth), &exact_columns(exact), exact);
+                pair(assessed, (&name, found, truth), &exact_columns(exact), exact);
             }
         }
     }
     for ((state, labels), rows) in ours {
-        judged.unmatched.push(format!("{state} {}: {} rows that the tighter accuracy has not", labels.join(" "), rows.len()));
+        assessed.unmatched.push(format!("{state} {}: {} rows that the tighter accuracy has not", labels.join(" "), rows.len()));
     }
 }
 
@@ -131,9 +131,9 @@ fn exact_columns(outcome: &Outcome) -> Vec<(String, String)> {
     outcome.columns.iter().map(|column| (column.name.to_owned(), column.unit.clone())).collect()
 }
 
-fn pair(judged: &mut Judged, (name, found, truth): (&str, &Row, &Row), columns: &[(String, String)], outcome: &Outcome) {
+fn pair(assessed: &mut Assessed, (name, found, truth): (&str, &Row, &Row), columns: &[(String, String)], outcome: &Outcome) {
     if found.status.has_values() != truth.status.has_values() {
-        judged.unmatched.push(format!("{name}: {}, and {} at the tighter accuracy", found.status.word(), truth.status.word()));
+        assessed.unmatched.push(format!("{name}: {}, and {} at the tighter accuracy", found.status.word(), truth.status.word()));
         return;
     }
     for (index, (column, unit)) in columns.iter().enumerate().filter(|(_, (column, _))| !OF_THE_RUN.contains(&column.as_str())) {
@@ -143,20 +143,20 @@ fn pair(judged: &mut Judged, (name, found, truth): (&str, &Row, &Row), columns: 
                 // Rounding is relative to what else is measured in this unit.
                 let alike = columns.iter().enumerate().filter(|(_, (_, other))| other == unit);
                 let scale = alike.filter_map(|(index, _)| truth.value(index)).fold(0.0, |most: f64, value| most.max(value.abs()));
-                judged.values.push(value_of(column.clone(), name, (value, other), scale));
+                assessed.values.push(value_of(column.clone(), name, (value, other), scale));
             }
             (None, None) => {}
             (one, _) => {
                 let which = if one.is_some() { "the looser" } else { "the tighter" };
-                judged.unmatched.push(format!("{name}: {column} at {which} accuracy only"));
+                assessed.unmatched.push(format!("{name}: {column} at {which} accuracy only"));
             }
         }
     }
     if found.fields.len() != truth.fields.len() {
-        judged.unmatched.push(format!("{name}: {} field points, and {}", found.fields.len(), truth.fields.len()));
+        assessed.unmatched.push(format!("{name}: {} field points, and {}", found.fields.len(), truth.fields.len()));
         return;
     }
-    fields(judged, name, (found, truth), outcome);
+    fields(assessed, name, (found, truth), outcome);
 }
 
 fn value_of(column: String, row: &str, (found, truth): (Estimate, Estimate), scale: f64) -> Value {
@@ -166,7 +166,7 @@ fn value_of(column: String, row: &str, (found, truth): (Estimate, Estimate), sca
 }
 
 /// Fields at their places; where those follow from a result, the truth goes to the place of the found one along the line through its neighbours.
-fn fields(judged: &mut Judged, name: &str, (found, truth): (&Row, &Row), outcome: &Outcome) {
+fn fields(assessed: &mut Assessed, name: &str, (found, truth): (&Row, &Row), outcome: &Outcome) {
     let names = outcome.field_columns.iter().skip(1).map(|column| column.name).collect::<Vec<_>>();
     let most = |place: usize| {
         truth.fields.iter().filter_map(|point| point.values.get(place)).fold(0.0, |most: f64, value| most.max(value.value.abs()))
@@ -191,7 +191,7 @@ fn fields(judged: &mut Judged, name: &str, (found, truth): (&Row, &Row), outcome
             let truth = Estimate::new(exact.value + carried, exact.error + unknown);
             let row = format!("{name} at {:e}", one.place);
             let scale = scales.get(place).copied().unwrap_or(0.0);
-            judged.values.push(value_of(format!("fields: {column}"), &row, (*value, truth), scale));
+            assessed.values.push(value_of(format!("fields: {column}"), &row, (*value, truth), scale));
         }
     }
 }

@@ -32,7 +32,7 @@ mod text;
 
 use super::cells::{count, number, word};
 use super::{Cell, Check, Column, Effort, Progress, Section, Table};
-use compared::{Judged, judged};
+use compared::{Assessed, assessed};
 use coverage::{Coverage, coverage};
 use drawn::Problem;
 use rayon::prelude::*;
@@ -81,23 +81,23 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
         vec![Column::words("problem"), Column::new("scene", "1"), Column::words("what")],
     );
     for problem in Problem::ALL {
-        let judged: Vec<Judged> = (0..many(problem))
+        let assessed: Vec<Assessed> = (0..many(problem))
             .into_par_iter()
             .map(|scene| {
-                let judged = judged(SEED_OF_ASSESSMENT, problem, scene);
+                let assessed = assessed(SEED_OF_ASSESSMENT, problem, scene);
                 progress.advance(1);
-                judged
+                assessed
             })
             .collect();
         let mut all = Count::default();
-        for ((_, column), count) in counted(&judged) {
+        for ((_, column), count) in counted(&assessed) {
             table.rows.push(row(problem, &column, &count));
             all.join(&count);
         }
         all.ratios.sort_by(f64::total_cmp);
         table.rows.push(row(problem, "all", &all));
-        section.checks.extend(checks(problem, &judged, &all));
-        for one in &judged {
+        section.checks.extend(checks(problem, &assessed, &all));
+        for one in &assessed {
             let what = one.values.iter().filter(|value| value.compared.is_missed()).map(compared::Value::described);
             let mut lines: Vec<String> = what.chain(one.unmatched.iter().cloned()).collect();
             lines.extend(one.refused.iter().flatten().cloned());
@@ -132,9 +132,9 @@ fn row(problem: Problem, column: &str, found: &Count) -> Vec<Cell> {
     ]
 }
 
-fn checks(problem: Problem, judged: &[Judged], all: &Count) -> Vec<Check> {
+fn checks(problem: Problem, assessed: &[Assessed], all: &Count) -> Vec<Check> {
     let name = |what: &str| format!("{}: {what}", problem.name());
-    let refused = judged.iter().filter(|one| one.refused.iter().any(Option::is_some)).count();
+    let refused = assessed.iter().filter(|one| one.refused.iter().any(Option::is_some)).count();
     let ratio = |what: &str, part: f64, most: f64| {
         let found = all.ratio(part);
         let text = found.map_or_else(|| "no bound above rounding".to_owned(), |found| format!("{found:.2}"));
@@ -144,7 +144,7 @@ fn checks(problem: Problem, judged: &[Judged], all: &Count) -> Vec<Check> {
             _ => Check::new(name(what), expected, text, kept),
         }
     };
-    let outside = format!("{} of {} values in {} scenes", all.outside, all.values, judged.len());
+    let outside = format!("{} of {} values in {} scenes", all.outside, all.values, assessed.len());
     let covers = Check::new(name("every bound covers its error"), "0 outside", outside, all.outside == 0 && all.values > 0);
     vec![
         covers,
@@ -153,8 +153,8 @@ fn checks(problem: Problem, judged: &[Judged], all: &Count) -> Vec<Check> {
         Check::new(
             name("the reader takes what is drawn"),
             "at most one scene in ten refused",
-            format!("{refused} of {}", judged.len()),
-            10 * refused <= judged.len(),
+            format!("{refused} of {}", assessed.len()),
+            10 * refused <= assessed.len(),
         ),
     ]
 }

@@ -1,6 +1,6 @@
 //! Counts by problem and column.
 
-use super::compared::{Judged, Value};
+use super::compared::{Assessed, Value};
 use super::drawn::Problem;
 use std::collections::BTreeMap;
 
@@ -56,9 +56,9 @@ impl Count {
 
 /// All counts.
 #[must_use]
-pub fn counted(judged: &[Judged]) -> BTreeMap<(Problem, String), Count> {
+pub fn counted(assessed: &[Assessed]) -> BTreeMap<(Problem, String), Count> {
     let mut counts: BTreeMap<(Problem, String), Count> = BTreeMap::new();
-    for scene in judged {
+    for scene in assessed {
         for value in &scene.values {
             counts.entry((scene.drawn.problem, value.column.clone())).or_default().add(value);
         }

@@ -11,7 +11,7 @@ use viscotack::refusal::Refusal;
 #[derive(Default)]
 struct Points {
     states: Vec<[f64; 4]>,
-    /// Smooth stretch of each point.
+    /// Smooth piece of each point.
     pieces: Vec<u32>,
     piece: u32,
 }
@@ -23,7 +23,7 @@ impl Points {
     }
 }
 
-/// The steps of a run; before the landing of each jump the state that it begins in. Legs and jumps end a stretch.
+/// The steps of a run; before the landing of each jump the state that it begins in. Legs and jumps end a piece.
 fn points(run: &Run) -> Points {
     let mut points = Points::default();
     let (mut legs, mut jumps) = (run.legs.iter().peekable(), run.jumps.iter().peekable());

@@ -10,7 +10,7 @@ use crate::plan::curves::{axis_of, innermost, noted, shade, short, swept_axis, s
 use crate::plan::maps::Answer;
 use crate::scene::typed::{HistoryQuantity, Scene, Units};
 
-/// Most states that one figure tells apart.
+/// Most states that one figure distinguishes.
 const MOST_STATES: usize = 7;
 
 /// The rows of one state, in the order of time.

@@ -34,7 +34,7 @@ pub(super) use advice::beside_an_edge;
 use history::Course;
 use scales::Reduced;
 use viscotack::finite_range::sphere::SUM_OF_DURATIONS;
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// An indenter whose surface attracts at a distance, ready to be solved.
@@ -43,7 +43,7 @@ pub(in crate::plan) struct FiniteRangePlan {
     indentation: Indentation,
     attraction: SceneAttraction,
     /// In moduli E* = E/(1 − ν²).
-    material: Material,
+    material: PlaneMaterial,
     poisson_ratio: PoissonRatio,
     scale: Scale,
     units: Units,

@@ -8,7 +8,7 @@ use crate::scene::typed::{HistoryQuantity, Indentation, IndentationShape, SceneA
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::law::Attraction;
 use viscotack::finite_range::sphere::{Creep, Scales, Shape};
-use viscotack::material::Material;
+use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// Rounding of the way to the units of the solver and back, relative.
@@ -30,7 +30,7 @@ impl Reduced {
     pub(super) fn new(
         indentation: &Indentation,
         attraction: &SceneAttraction,
-        material: &Material,
+        material: &PlaneMaterial,
         scale: &Scale,
     ) -> Result<Self, Refusal> {
         let given = &attraction.attraction;

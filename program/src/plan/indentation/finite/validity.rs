@@ -3,7 +3,7 @@
 use super::FiniteRangePlan;
 use super::columns::at;
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
+use crate::plan::assumptions::{Assumption, Limit, assessed, constant_poisson_ratio, not_assessed};
 use crate::plan::measured::{note, records};
 use crate::scene::typed::IndentationShape;
 
@@ -41,11 +41,11 @@ impl FiniteRangePlan {
     }
 
     pub(super) fn limits(&self, rows: &[Row]) -> Vec<Validity> {
-        let mut entries = judged(&ASSUMPTIONS, rows);
+        let mut entries = assessed(&ASSUMPTIONS, rows);
         entries.extend(self.attraction.notes.iter().map(|text| note("law of attraction", text)));
         entries.extend(records(&self.indentation.history, self.accuracy));
         entries.extend(constant_poisson_ratio(self.poisson_ratio));
-        entries.push(not_judged(
+        entries.push(not_assessed(
             "no friction, inertia or heat",
             None,
             "left out: no shear stress at the interface; a jump goes to the next equilibrium down the energy without any time",

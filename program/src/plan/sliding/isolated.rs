@@ -1,4 +1,4 @@
-//! Branches of which there are several: along speeds that of the slow and that of the fast contact; those that a scan of every contact finds apart from them.
+//! Branches of which there are several: along speeds that of the slow and that of the fast contact; those that a scan of every contact finds isolated from them.
 //!
 //! | word in the column `branch` | what |
 //! |---|---|
@@ -46,7 +46,7 @@ fn kind(problem: &BranchProblem<'_>, branch: &Branch, followed: bool) -> &'stati
 }
 
 impl SlidingPlan {
-    /// The slow and the fast branch along speeds, and those apart from them where neither end has a contact.
+    /// The slow and the fast branch along speeds, and those isolated from them where neither end has a contact.
     pub(super) fn speeds_traced(&self, branch: &SlidingBranch, problem: &BranchProblem<'_>) -> Result<Traced, Refusal> {
         let folds = speed_folds(&self.material, problem)?;
         let gap = folds.no_contact.as_ref().map(|gap| {
@@ -61,8 +61,8 @@ impl SlidingPlan {
             match end {
                 Some(Ok(found)) => self.collect(&mut traced, branch, problem, found, words.of(name), gap.as_deref()),
                 Some(Err(refusal)) => match folds.everywhere {
-                    // Branches apart tell what there is; the limits that the load is beyond are said at the first of them.
-                    Some(_) if !folds.apart.is_empty() => refused = refused.or(Some(refusal)),
+                    // Isolated branches tell what there is; the limits that the load is beyond are said at the first of them.
+                    Some(_) if !folds.isolated.is_empty() => refused = refused.or(Some(refusal)),
                     everywhere => {
                         let found = Err(everywhere.map_or_else(|| refusal.clone(), |everywhere| with_witness(refusal.clone(), everywhere)));
                         traced.items.push(Item { branch: words.of(name).into(), event: "", found, note: None });
@@ -71,7 +71,7 @@ impl SlidingPlan {
                 None => {}
             }
         }
-        for found in folds.apart {
+        for found in folds.isolated {
             let word = words.of(kind(problem, &found, false));
             self.collect(&mut traced, branch, problem, found, word, None);
         }

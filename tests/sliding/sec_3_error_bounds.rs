@@ -1,6 +1,6 @@
 //! Source: thesis Secs 3.2 and 3.3, solved by `sliding::steady`.
 //!
-//! Goal: every error bar bounds the true error and is no more than a hundred times wider, for requests from 1e-3 to 1e-10, and the request or the floor is reached.
+//! Goal: every error bound bounds the true error and is no more than a hundred times wider, for requests from 1e-3 to 1e-10, and the request or the floor is reached.
 //!
 //! Parameters: 240 random problems: n = 1, 2, 6, 12 terms; β from 1 to 1000; ζ of the slowest term from 1e-6 to 1e4 (faster ones over up to eight
 //! decades); Γ from 0 to 0.05; process zones 1e-4 to 0.03 (edges not equal); mean pressure, penetration and half-width prescribed; wave and parabola.
@@ -8,7 +8,7 @@
 //! Oracle: the same problem with 1e-10 asked for, whose integrals take twice the nodes at every place; that the finest level is right is shown by other tests
 //! (Fourier symbol, rivals, references).
 //!
-//! Tolerance: none for bars. The floor may not be above 2e-10 anywhere; 1e-10 is asked for. States that do not exist (past a fold, a pull that nothing
+//! Tolerance: none for bounds. The floor may not be above 2e-10 anywhere; 1e-10 is asked for. States that do not exist (past a fold, a pull that nothing
 //! holds, full contact) carry their limit; no problem may be left unconverged.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
@@ -18,9 +18,9 @@ use rayon::prelude::*;
 use support::random::Uniform;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
-use viscotack::{Estimate, Material, Refusal};
+use viscotack::{Estimate, PlaneMaterial, Refusal};
 
-fn draw(random: &mut Uniform) -> (Material, SlidingProblem<'static>, String) {
+fn draw(random: &mut Uniform) -> (PlaneMaterial, SlidingProblem<'static>, String) {
     let count = [1, 2, 6, 12][random.between(0.0, 4.0) as usize];
     let beta = if random.between(0.0, 1.0) < 0.05 { 1.0 } else { random.log_between(1.1, 1000.0) };
     let relaxed = 1.3e6;
@@ -31,7 +31,7 @@ fn draw(random: &mut Uniform) -> (Material, SlidingProblem<'static>, String) {
             retardation_time: 0.37 * 10f64.powf(-decades * f64::from(index) / f64::from(count)),
         })
         .collect();
-    let material = Material::from_creep(relaxed * beta, &terms, None).unwrap();
+    let material = PlaneMaterial::from_creep(relaxed * beta, &terms, None).unwrap();
     let indenter = if random.between(0.0, 1.0) < 0.75 { Indenter::Wave } else { Indenter::Parabola };
     let work = if random.between(0.0, 1.0) < 0.2 { 0.0 } else { random.log_between(1e-4, 0.05) };
     let adhesion = (work > 0.0).then(|| WaveAdhesion {
@@ -72,7 +72,7 @@ fn listed(values: &PartialValues) -> Vec<(&'static str, Estimate)> {
 }
 
 #[test]
-fn bars_bound_the_error_and_are_not_idle() {
+fn bounds_cover_the_error_and_are_not_idle() {
     let mut random = Uniform::new();
     let cases: Vec<_> = (0..240).map(|_| draw(&mut random)).collect();
     let results: Vec<_> = cases
@@ -123,11 +123,11 @@ fn bars_bound_the_error_and_are_not_idle() {
     let (mut ratios, mut known): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
     let mut counts = std::collections::BTreeMap::new();
     let mut floors = Vec::new();
-    let mut complaints = Vec::new();
+    let mut failures = Vec::new();
     for (kind, lines, pairs, floor) in &results {
         floors.push(*floor);
         *counts.entry(*kind).or_insert(0) += 1;
-        complaints.extend(lines);
+        failures.extend(lines);
         for &(bar, error, of_truth) in pairs.iter().filter(|(bar, ..)| *bar > 1e-11) {
             ratios.push(bar / error.max(of_truth));
             // Where the error is as small as the bound of the truth, a bound may be a little tighter than that one: no error is known there.
@@ -145,12 +145,12 @@ fn bars_bound_the_error_and_are_not_idle() {
     floors.sort_by(f64::total_cmp);
     let worst_floor = floors.last().copied().unwrap();
     println!(
-        "{counts:?}; bar over error of {} values with bars above 1e-11: 1 % {least_of_all:.4} ({least:.4} of {} known errors), median {median:.2}, 90 % {most:.2}; \
+        "{counts:?}; bound over error of {} values with bounds above 1e-11: 1 % {least_of_all:.4} ({least:.4} of {} known errors), median {median:.2}, 90 % {most:.2}; \
          worst floor {worst_floor:.1e}",
         ratios.len(),
         known.len()
     );
-    assert!(complaints.is_empty(), "{complaints:#?}");
+    assert!(failures.is_empty(), "{failures:#?}");
     assert!(counts["partial"] > 200 && worst_floor < 2e-10, "{counts:?} {worst_floor:e}");
-    assert!(least >= 1.0 && median < 3.0 && most < 10.0, "idle bars");
+    assert!(least >= 1.0 && median < 3.0 && most < 10.0, "idle bounds");
 }

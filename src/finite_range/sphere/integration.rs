@@ -49,19 +49,19 @@ pub fn run(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher) -> Result
 pub fn run_watched(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher, watch: &mut dyn FnMut(f64)) -> Result<Run, Refusal> {
     let (solver, state, book) = Book::open(problem, accuracy, mesher)?;
     let whole = problem.history.iter().map(|leg| leg.motion.duration()).sum();
-    let mut march = March { solver, state, book, watch, whole };
+    let mut integration = Integration { solver, state, book, watch, whole };
     for leg in &problem.history {
-        if march.whole_leg(leg)? {
-            let detachment = march.book.rows.last().copied();
-            march.book.losses.extend(detachment);
-            return Ok(march.book.close(&march.solver, detachment));
+        if integration.whole_leg(leg)? {
+            let detachment = integration.book.rows.last().copied();
+            integration.book.losses.extend(detachment);
+            return Ok(integration.book.close(&integration.solver, detachment));
         }
     }
-    march.book.keep_last(&march.solver, &march.state);
-    Ok(march.book.close(&march.solver, None))
+    integration.book.keep_last(&integration.solver, &integration.state);
+    Ok(integration.book.close(&integration.solver, None))
 }
 
-struct March<'m> {
+struct Integration<'m> {
     solver: Solver<'m>,
     state: State,
     book: Book,
@@ -85,7 +85,7 @@ impl Solver<'_> {
     }
 }
 
-impl March<'_> {
+impl Integration<'_> {
     /// One leg, in time or at once; true if contact ended under force control.
     fn whole_leg(&mut self, leg: &Leg) -> Result<bool, Refusal> {
         if leg.motion.duration() > 0.0 {

@@ -1,7 +1,7 @@
-//! What is added up over each cycle of an oscillation, from the points of the march alone.
+//! What is added up over each cycle of an oscillation, from the points of the integration alone.
 //!
 //! Within a step Δ(t), F(t) and a(t) go along the polynomial through the last six points since a corner of the path, which is of the order of the
-//! march itself; near a corner points are close and fewer. Eight Gauss nodes a step integrate products of two of them, and sin and cos of the
+//! integration itself; near a corner points are close and fewer. Eight Gauss nodes a step integrate products of two of them, and sin and cos of the
 //! phase over 0.4 rad, to rounding.
 
 use super::adhesiveless::Sums as Added;
@@ -22,14 +22,14 @@ const IN_A_ROW: u32 = 2;
 
 /// Adds up one cycle after the other.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct Meter {
+pub(super) struct CycleIntegrals {
     segment: usize,
     oscillation: Oscillation,
     duration: f64,
     origin: f64,
     /// Longest retardation time.
     longest: f64,
-    /// The newest last, of one stretch of the path between corners.
+    /// The newest last, of one piece of the path between corners.
     points: Vec<PathPoint>,
     number: u64,
     sums: Sums,
@@ -101,7 +101,7 @@ impl Course {
     }
 }
 
-impl Meter {
+impl CycleIntegrals {
     pub(super) fn new(
         segment: usize,
         (oscillation, duration): (Oscillation, f64),
@@ -135,7 +135,7 @@ impl Meter {
             self.points.push(*point);
         } else {
             if point.piece != last.piece {
-                // The first point of a stretch ends the one before.
+                // The first point of a piece ends the one before.
                 self.points.clear();
                 self.points.push(last);
             }
@@ -267,7 +267,7 @@ impl Meter {
     }
 }
 
-impl Meter {
+impl CycleIntegrals {
     /// By how much the cycles differ; none where the frequency itself goes up or down.
     pub(super) fn spread(&self) -> Option<Spread> {
         self.spread.filter(|_| self.oscillation.frequency.to_bits() == self.oscillation.end_frequency.to_bits())

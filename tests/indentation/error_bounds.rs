@@ -1,24 +1,24 @@
 //! Source: this crate's claim that every reported number of a history carries an honest error.
 //!
-//! Goal: bars that cover, and that are not a hundred times too wide.
+//! Goal: bounds that cover, and that are not a hundred times too wide.
 //!
 //! Parameters: random solids of 1 to 4 terms, β 1.5 to 300, speeds over eight decades about the relaxation times, process zones 1e-3 to 6e-2 of R, histories of
 //! approach, dwell, retraction, from an untouched or a relaxed start, under penetration, force or frame; Pa, m, s and random units.
 //!
-//! Oracle: the same history marched 1000 times tighter or more. The march has other oracles elsewhere (closed forms, a dense scheme, independent steppers).
+//! Oracle: the same history integrated 1000 times tighter or more. The integration has other oracles elsewhere (closed forms, a dense scheme, independent steppers).
 //!
-//! Tolerance: the accuracy asked for, always; the bar itself, always; the median bar at most ten times the error, the 95th percentile at most a hundred times.
+//! Tolerance: the accuracy asked for, always; the bound itself, always; the median bound at most ten times the error, the 95th percentile at most a hundred times.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
 
 use std::f64::consts::PI;
 use support::random::Uniform;
-use viscotack::Material;
-use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, PathPoint, Profile, march, run};
+use viscotack::PlaneMaterial;
+use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, PathPoint, Profile, integrate, run};
 use viscotack::material::RelaxationTerm;
 
-fn problem(random: &mut Uniform, accuracy: f64) -> (Material, IndentationProblem) {
+fn problem(random: &mut Uniform, accuracy: f64) -> (PlaneMaterial, IndentationProblem) {
     let (modulus, radius, time) = (random.log_between(1e-2, 1e7), random.log_between(1e-4, 1e2), random.log_between(1e-3, 1e3));
     let beta = random.log_between(1.5, 300.0);
     let count = 1 + random.between(0.0, 4.0) as usize;
@@ -32,7 +32,7 @@ fn problem(random: &mut Uniform, accuracy: f64) -> (Material, IndentationProblem
             relaxation_time: time * 10f64.powf(1.3 * k as f64 + random.between(0.0, 0.8)),
         })
         .collect();
-    let material = Material::from_relaxation(modulus, &terms).unwrap();
+    let material = PlaneMaterial::from_relaxation(modulus, &terms).unwrap();
     let work = modulus * radius * random.log_between(1e-5, 3e-3);
     let jkr = (9.0 * PI * work * radius * radius / (2.0 * modulus)).cbrt();
     let zone = jkr * random.log_between(3e-3, 0.1);
@@ -54,7 +54,7 @@ fn problem(random: &mut Uniform, accuracy: f64) -> (Material, IndentationProblem
 }
 
 #[test]
-fn bars_cover_and_are_not_wide() {
+fn bounds_cover_and_are_not_wide() {
     let mut random = Uniform::new();
     let (mut inside, mut outside, mut reached) = (0, 0, 0);
     let mut ratios: Vec<f64> = Vec::new();
@@ -62,7 +62,7 @@ fn bars_cover_and_are_not_wide() {
     for case in 0..60 {
         let accuracy = [1e-3, 1e-4, 1e-5][case % 3];
         let (material, asked) = problem(&mut random, accuracy);
-        let (found, exact) = match (run(&material, &asked), march(&material, &asked, 1e-3 * accuracy)) {
+        let (found, exact) = match (run(&material, &asked), integrate(&material, &asked, 1e-3 * accuracy)) {
             (Ok(found), Ok(exact)) => (found, exact),
             (found, exact) => {
                 println!("case {case}: {:?} {:?}", found.err(), exact.err());
@@ -98,7 +98,7 @@ fn bars_cover_and_are_not_wide() {
     ratios.sort_by(f64::total_cmp);
     let at = |share: f64| ratios[(share * (ratios.len() - 1) as f64) as usize];
     println!(
-        "inside {inside}, outside {outside}, reached {reached}, refused {refused}; bar over error: 5 % {:.2}, median {:.1}, 95 % {:.1}, of {}",
+        "inside {inside}, outside {outside}, reached {reached}, refused {refused}; bound over error: 5 % {:.2}, median {:.1}, 95 % {:.1}, of {}",
         at(0.05),
         at(0.5),
         at(0.95),
@@ -110,10 +110,11 @@ fn bars_cover_and_are_not_wide() {
     assert_eq!(reached, 60);
 }
 
-/// Points of a path between kept instants: the same history, tighter, with an instant at the time of the point. What is imposed at the instants beside has no error there.
+/// Points of a path between kept instants: the same history, tighter, with an instant at the time of the point. What is imposed at the instants beside has no error
+/// there.
 #[test]
 fn points_of_a_path_have_bounds_that_cover() {
-    let material = Material::standard_solid(1.0, 30.0, 1.0).unwrap();
+    let material = PlaneMaterial::standard_solid(1.0, 30.0, 1.0).unwrap();
     let adhesion = Adhesion { work_of_adhesion: 2e-3, process_zone: 5e-3 };
     let (load, press, down, pull) = (0.02, 0.7, -0.03, 1.5);
     let of = |adhesion: Option<Adhesion>, accuracy: f64, stop: Option<(f64, f64)>| {
@@ -128,14 +129,14 @@ fn points_of_a_path_have_bounds_that_cover() {
     for adhesion in [None, Some(adhesion)] {
         for accuracy in [1e-2, 1e-4] {
             let found = run(&material, &of(adhesion, accuracy, None)).unwrap();
-            assert_eq!(found.path_errors.len(), found.march.path.len());
+            assert_eq!(found.path_errors.len(), found.integration.path.len());
             let start = found.instants[1].penetration.value;
-            let inside: Vec<usize> = (0..found.march.path.len())
-                .filter(|index| found.march.path[*index].time > press * 1.001 && !found.march.kept.contains(index))
+            let inside: Vec<usize> = (0..found.integration.path.len())
+                .filter(|index| found.integration.path[*index].time > press * 1.001 && !found.integration.kept.contains(index))
                 .filter(|index| found.path_errors[*index].iter().all(|error| error.is_finite()))
                 .collect();
             for index in inside.iter().step_by((inside.len() / 12).max(1)) {
-                let (point, errors) = (&found.march.path[*index], found.path_errors[*index]);
+                let (point, errors) = (&found.integration.path[*index], found.path_errors[*index]);
                 let time = point.time - press;
                 // The same ramp up to there, from where the tighter run has its start.
                 let begin = run(&material, &of(adhesion, 1e-3 * accuracy, Some((down, pull)))).unwrap().instants[1].penetration;

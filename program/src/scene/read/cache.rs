@@ -9,23 +9,23 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// What was made, by all that it depends on, shared by all copies of a document.
 #[derive(Debug)]
-pub(crate) struct Memo<T> {
+pub(crate) struct Cache<T> {
     made: Arc<Mutex<HashMap<String, Result<T, SceneError>>>>,
 }
 
-impl<T> Default for Memo<T> {
+impl<T> Default for Cache<T> {
     fn default() -> Self {
         Self { made: Arc::default() }
     }
 }
 
-impl<T> Clone for Memo<T> {
+impl<T> Clone for Cache<T> {
     fn clone(&self) -> Self {
         Self { made: Arc::clone(&self.made) }
     }
 }
 
-impl<T: Clone> Memo<T> {
+impl<T: Clone> Cache<T> {
     /// What was made of these words, or is made now; others that want the same wait meanwhile.
     pub(super) fn get(&self, words: &str, make: impl FnOnce() -> Result<T, SceneError>) -> Result<T, SceneError> {
         let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
@@ -34,7 +34,7 @@ impl<T: Clone> Memo<T> {
 }
 
 /// What was made of a table of the scene, with the keys that were read for it.
-pub(crate) type OfTable<T> = Memo<(Arc<T>, Arc<[String]>)>;
+pub(crate) type OfTable<T> = Cache<(Arc<T>, Arc<[String]>)>;
 
 impl<T> OfTable<T> {
     /// What was made of these keys of a table (of none named: of all) and of what else it depends on; keys that its maker reads count as read

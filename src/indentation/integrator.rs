@@ -1,27 +1,27 @@
-//! One march through a history: segments, kept instants, and what happens between steps.
+//! One integration through a history: segments, kept instants, and what happens between steps.
 
-use super::checkpoint::{MarchState, Observer};
+use super::checkpoint::{IntegrationState, Observer};
+use super::current_segment::{CurrentSegment, Place};
+use super::cycle_integrals::CycleIntegrals;
 use super::edge::{Edge, Imposed, node_of};
 use super::history::Controlled;
 use super::line::Contact;
-use super::meter::Meter;
-use super::past::Past;
+use super::path_history::PathHistory;
 use super::problem::{IndentationProblem, Start};
 use super::record::Record;
 use super::solution::{EventKind, Trace};
 use super::springs::Springs;
 use super::start::{size_of, started};
 use super::step_sizes::towards;
-use super::stretch::{Place, Stretch};
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
 
 /// First time step of a segment, over the shortest relaxation time and over the segment, at a tolerance of 1; it goes with the root of the tolerance.
 const FIRST_TIME: f64 = 0.1;
-/// Ulp of the time below which no step goes: a clock that does not move is a march that stands still.
+/// Ulp of the time below which no step goes: a clock that does not move is an integration that stands still.
 pub(super) const CLOCK: f64 = 4.0;
-/// Part of what is left of a stretch, or of a way, that is all of it; and the part that is gone when two steps go there.
+/// Part of what is left of a segment, or of a way, that is all of it; and the part that is gone when two steps go there.
 pub(super) const NEARLY: f64 = 0.999;
 pub(super) const HALF: f64 = 0.5;
 /// Relative change of a rate that is no corner.
@@ -35,30 +35,30 @@ pub(super) const LOOSEST: f64 = 0.03;
 /// Parts of an instantaneous change, so that a path of equilibria is followed and not jumped over.
 const PARTS: u32 = 16;
 
-/// One march through a history, at a tolerance of its path (of the edge over the process zone, per step): `material` in moduli E* = E/(1 − ν²). Where no steps
+/// One integration through a history, at a tolerance of its path (of the edge over the process zone, per step): `material` in moduli E* = E/(1 − ν²). Where no steps
 /// are needed ([`IndentationProblem::is_without_steps`]) one course of the exact method, as fine as the tolerance as an accuracy asks for.
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`] for numbers out of range; [`Refusal::Undefined`] for a viscous material or a start that a control does not have;
 /// [`Refusal::NoSuchState`] for a start without equilibrium, or a contact beyond the last point of a table; [`Refusal::NotConverged`].
-pub fn march(material: &Material, problem: &IndentationProblem, tolerance: f64) -> Result<Trace, Refusal> {
+pub fn integrate(material: &PlaneMaterial, problem: &IndentationProblem, tolerance: f64) -> Result<Trace, Refusal> {
     if problem.is_without_steps() {
         problem.checked()?;
         return super::adhesiveless::course(material, problem, crate::refusal::require_positive("tolerance", tolerance)?);
     }
-    march_to(material, problem, tolerance, &[], Guide::default())
+    integrate_to(material, problem, tolerance, &[], Guide::default())
 }
 
-/// Where a march begins, and who watches it.
+/// Where an integration begins, and who watches it.
 #[derive(Default)]
 pub(super) struct Guide<'a> {
-    pub(super) from: Option<MarchState>,
+    pub(super) from: Option<IntegrationState>,
     pub(super) observer: Option<Observer<'a>>,
 }
 
-/// The same with stretches that end early: which, and how long they take (s).
-pub(super) fn march_to(
-    material: &Material,
+/// The same with segments that end early: which, and how long they take (s).
+pub(super) fn integrate_to(
+    material: &PlaneMaterial,
     problem: &IndentationProblem,
     tolerance: f64,
     stops: &[(usize, f64)],
@@ -66,18 +66,18 @@ pub(super) fn march_to(
 ) -> Result<Trace, Refusal> {
     problem.checked()?;
     let springs = Springs::new(material)?;
-    let mut marcher = Marcher::new(&springs, problem, tolerance)?;
-    let zone = marcher.edge.zone();
-    marcher.observer = guide.observer;
+    let mut integrator = Integrator::new(&springs, problem, tolerance)?;
+    let zone = integrator.edge.zone();
+    integrator.observer = guide.observer;
     let mut trace = match guide.from {
         Some(state) => {
-            marcher.restore(state)?;
-            marcher.through(true)?
+            integrator.restore(state)?;
+            integrator.through(true)?
         }
         None => {
-            marcher.record.trace.shortened = stops.to_vec();
-            marcher.begin()?;
-            marcher.through(false)?
+            integrator.record.trace.shortened = stops.to_vec();
+            integrator.begin()?;
+            integrator.through(false)?
         }
     };
     problem.profile.holds(trace.summary.scales[2], zone)?;
@@ -85,14 +85,14 @@ pub(super) fn march_to(
     Ok(trace)
 }
 
-pub(super) struct Marcher<'a> {
+pub(super) struct Integrator<'a> {
     pub(super) springs: &'a Springs,
     pub(super) problem: &'a IndentationProblem,
     pub(super) tolerance: f64,
     pub(super) contact: Contact<'a>,
     pub(super) edge: Edge,
-    pub(super) past: Past,
-    /// Start of the stretch under way, and the time since: steps stay sharp after any dwell.
+    pub(super) path_history: PathHistory,
+    /// Start of the segment under way, and the time since: steps stay sharp after any dwell.
     pub(super) origin: f64,
     pub(super) time: f64,
     /// Next steps of the edge and of time.
@@ -109,25 +109,25 @@ pub(super) struct Marcher<'a> {
     pub(super) pace: Option<(Controlled, f64)>,
     /// F(t) has a corner when the edge has left the place of its last corner by one process zone, and a weaker one when it has left that by another: a step ends there.
     /// Place and generation.
-    pub(super) landmarks: Vec<(f64, u32)>,
+    pub(super) kink_places: Vec<(f64, u32)>,
     /// Where the edge turned, the latest last: the line has a kink there, and F(t) a corner when the edge comes back.
     pub(super) turns: Vec<f64>,
     pub(super) slopes: (f64, f64),
     /// Whether y(t) went on more smoothly than t(y) in the last step: time drives the next one then.
     pub(super) smooth_in_time: bool,
     /// What is added up over the cycle under way.
-    pub(super) meter: Option<Meter>,
+    pub(super) cycle_integrals: Option<CycleIntegrals>,
     pub(super) record: Record<'a>,
     pub(super) place: Place,
     pub(super) observer: Option<Observer<'a>>,
 }
 
-impl<'a> Marcher<'a> {
+impl<'a> Integrator<'a> {
     fn new(springs: &'a Springs, problem: &'a IndentationProblem, tolerance: f64) -> Result<Self, Refusal> {
         let tolerance = crate::refusal::require_positive("tolerance", tolerance)?.min(0.1);
         let Some(adhesion) = problem.adhesion else {
             return Err(Refusal::Undefined {
-                quantity: "a march without adhesion",
+                quantity: "an integration without adhesion",
                 reason: "such a contact is solved without steps".into(),
             });
         };
@@ -157,11 +157,11 @@ impl<'a> Marcher<'a> {
             springs,
             problem,
             tolerance,
-            meter: None,
+            cycle_integrals: None,
             record: Record::new(&contact, problem.energies),
             contact,
             edge,
-            past: Past::default(),
+            path_history: PathHistory::default(),
             origin: 0.0,
             time: 0.0,
             reach: 0.0,
@@ -171,7 +171,7 @@ impl<'a> Marcher<'a> {
             corner: 0.0,
             first: 0.0,
             pace: None,
-            landmarks: Vec::new(),
+            kink_places: Vec::new(),
             turns: Vec::new(),
             slopes: (0.0, 0.0),
             smooth_in_time: false,
@@ -206,7 +206,7 @@ impl<'a> Marcher<'a> {
         Ok(())
     }
 
-    /// The stretches one after the other; `restored`: from within the one that a checkpoint was taken in.
+    /// The segments one after the other; `restored`: from within the one that a checkpoint was taken in.
     fn through(mut self, restored: bool) -> Result<Trace, Refusal> {
         let history = &self.problem.history;
         let mut last = (history.controlled, history.start);
@@ -220,15 +220,15 @@ impl<'a> Marcher<'a> {
             } else {
                 self.present(segment.controlled)
             };
-            let stretch = Stretch { from, segment: *segment };
+            let current = CurrentSegment { from, segment: *segment };
             let duration = if segment.duration == 0.0 {
-                self.suddenly(&stretch)?;
+                self.suddenly(&current)?;
                 0.0
             } else {
                 if !under_way {
-                    self.enter(index, &stretch);
+                    self.enter(index, &current);
                 }
-                self.segment(&stretch)?
+                self.segment(&current)?
             };
             last = (segment.controlled, segment.value(from, duration));
         }
@@ -255,35 +255,35 @@ impl<'a> Marcher<'a> {
         }
     }
 
-    /// An instantaneous stretch.
-    fn suddenly(&mut self, stretch: &Stretch) -> Result<(), Refusal> {
-        // The line keeps where the edge was; where it comes to rest the next stretch begins.
+    /// An instantaneous segment.
+    fn suddenly(&mut self, current: &CurrentSegment) -> Result<(), Refusal> {
+        // The line keeps where the edge was; where it comes to rest the next segment begins.
         self.remember_turn(self.contact.radius());
-        self.at_once(stretch)?;
+        self.at_once(current)?;
         self.pace = None;
         self.record.keep();
         Ok(())
     }
 
-    /// The start of a stretch.
-    fn enter(&mut self, index: usize, stretch: &Stretch) {
-        let segment = stretch.segment;
-        let rate = stretch.rate();
+    /// The start of a segment.
+    fn enter(&mut self, index: usize, current: &CurrentSegment) {
+        let segment = current.segment;
+        let rate = current.rate();
         let same = segment.oscillation.is_none()
             && self
                 .pace
                 .is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
-        self.first = FIRST_TIME * self.springs.shortest_time().min(segment.duration).min(stretch.longest_step(0.0));
+        self.first = FIRST_TIME * self.springs.shortest_time().min(segment.duration).min(current.longest_step(0.0));
         if !same {
             self.restart_at_corner();
         }
-        self.meter = segment.oscillation.map(|oscillation| {
+        self.cycle_integrals = segment.oscillation.map(|oscillation| {
             let longest = self.springs.longest_retardation_time();
-            Meter::new(index, (oscillation, segment.duration), self.origin, longest, self.record.trace.path.last())
+            CycleIntegrals::new(index, (oscillation, segment.duration), self.origin, longest, self.record.trace.path.last())
         });
         self.place = Place {
             segment: index,
-            from: stretch.from,
+            from: current.from,
             duration: self.record.end_of(index).unwrap_or(segment.duration),
             instant: 1,
             cycle: 1,
@@ -291,26 +291,28 @@ impl<'a> Marcher<'a> {
         };
     }
 
-    /// A stretch of the history from where the march is in it, landing on each kept instant and at the end of each cycle. How long it took: one
+    /// A segment of the history from where the integration is in it, landing on each kept instant and at the end of each cycle. How long it took: one
     /// that oscillates may end early.
-    fn segment(&mut self, stretch: &Stretch) -> Result<f64, Refusal> {
-        let segment = stretch.segment;
+    fn segment(&mut self, current: &CurrentSegment) -> Result<f64, Refusal> {
+        let segment = current.segment;
         let until_stationary = segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
-        // Instants of a stretch whose end is not known are its end alone.
+        // Instants of a segment whose end is not known are its end alone.
         let instants = if until_stationary { 1 } else { self.problem.instants_per_segment.max(1) };
         let stop = self.record.end_of(self.place.segment);
         while self.time < self.place.duration {
             let Place { duration, instant, cycle, .. } = self.place;
             let next_instant = duration * if instant == instants { 1.0 } else { f64::from(instant) / f64::from(instants) };
-            let end_of_cycle = stretch.end_of_cycle(cycle);
+            let end_of_cycle = current.end_of_cycle(cycle);
             let target = end_of_cycle.map_or(next_instant, |end| end.min(next_instant));
-            self.go_to(stretch, target)?;
+            self.go_to(current, target)?;
             if end_of_cycle.is_some_and(|end| end <= target) {
                 self.place.cycle += 1;
-                // What one cycle leaves of its steps is not the next one's: a march that stands still would go through all of it.
+                // What one cycle leaves of its steps is not the next one's: an integration that stands still would go through all of it.
                 self.place.budget = self.record.trace.work.steps + self.most_steps();
-                let stationary =
-                    self.meter.as_mut().and_then(|meter| self.record.cycle(meter, self.origin + target, self.problem.accuracy));
+                let stationary = self
+                    .cycle_integrals
+                    .as_mut()
+                    .and_then(|cycle_integrals| self.record.cycle(cycle_integrals, self.origin + target, self.problem.accuracy));
                 if until_stationary && stop.is_none() && stationary == Some(true) {
                     self.place.duration = target;
                     self.record.trace.shortened.push((self.place.segment, target));
@@ -322,28 +324,28 @@ impl<'a> Marcher<'a> {
             }
         }
         let duration = self.place.duration;
-        self.record.last_cycle(self.meter.take());
-        self.pace = segment.oscillation.is_none().then_some((segment.controlled, stretch.rate()));
+        self.record.last_cycle(self.cycle_integrals.take());
+        self.pace = segment.oscillation.is_none().then_some((segment.controlled, current.rate()));
         self.origin += duration;
         self.time = 0.0;
         self.corner -= duration;
         Ok(duration)
     }
 
-    fn go_to(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
+    fn go_to(&mut self, current: &CurrentSegment, target: f64) -> Result<(), Refusal> {
         while self.time < target {
             self.observe();
-            // What a march with a checkpoint here would not have.
+            // What an integration with a checkpoint here would not have.
             self.edge.forget();
             self.record.trace.work.steps += 1;
             if self.record.trace.work.steps > self.place.budget {
-                let what = if stretch.segment.oscillation.is_some() { "cycle" } else { "stretch" };
+                let what = if current.segment.oscillation.is_some() { "cycle" } else { "segment" };
                 return Err(Refusal::NotConverged {
-                    what: "the march",
+                    what: "the integration",
                     detail: format!("{} steps of one {what} reached t = {:e}", self.most_steps(), self.now()),
                 });
             }
-            self.step(stretch, target)?;
+            self.step(current, target)?;
             // Near a fold what joining changes would move the edge by its root, to and fro.
             if self.record.trace.work.steps.is_multiple_of(COARSENING_INTERVAL) && !self.is_near_fold() {
                 self.contact.coarsened(COARSENING_TOLERANCE * self.tolerance.min(1e-2) * self.opening);
@@ -353,26 +355,26 @@ impl<'a> Marcher<'a> {
     }
 
     /// One step towards a target time.
-    fn step(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
+    fn step(&mut self, current: &CurrentSegment, target: f64) -> Result<(), Refusal> {
         let left = target - self.time;
         let grown = self.first_step().max(self.stride() * (self.time - self.corner));
-        let cap = self.dt.min(grown).min(self.stride() * stretch.longest_step(self.time));
+        let cap = self.dt.min(grown).min(self.stride() * current.longest_step(self.time));
         let cap = towards(left, cap, CLOCK * f64::EPSILON * self.time);
         let now = self.time;
-        let value = |dt: f64| stretch.value(if now + dt >= target { target } else { now + dt });
+        let value = |dt: f64| current.value(if now + dt >= target { target } else { now + dt });
         let stiffness = self.problem.frame_stiffness.unwrap_or(0.0);
-        let load = |dt: f64| if stretch.segment.controlled == Controlled::Frame { stiffness * value(dt) } else { value(dt) };
-        let imposed = match stretch.segment.controlled {
+        let load = |dt: f64| if current.segment.controlled == Controlled::Frame { stiffness * value(dt) } else { value(dt) };
+        let imposed = match current.segment.controlled {
             Controlled::Penetration => Imposed::Penetration(&value),
             Controlled::Force => Imposed::Load { value: &load, stiffness: 0.0 },
             Controlled::Frame => Imposed::Load { value: &load, stiffness },
             Controlled::ContactRadius => return self.prescribed_step(&value, cap, left, target),
         };
-        let controlled = stretch.segment.controlled;
-        let apart = if self.contact.radius() == 0.0 { self.until_touch(controlled, cap, &value) } else { 0.0 };
-        if apart > 0.0 {
+        let controlled = current.segment.controlled;
+        let free_time = if self.contact.radius() == 0.0 { self.until_touch(controlled, cap, &value) } else { 0.0 };
+        if free_time > 0.0 {
             // Time steps of an open contact may grow quickly: the surface relaxes exactly.
-            let cap = apart;
+            let cap = free_time;
             self.open(controlled, cap, value(cap))?;
             self.dt = 2.0 * cap;
             self.went(cap, left, target, 0.0);
@@ -389,19 +391,19 @@ impl<'a> Marcher<'a> {
         self.time = if dt >= left { target } else { self.time + dt };
         self.record.point(self.now(), &self.contact, residual);
         let node = node_of(self.contact.profile(), &self.contact, self.record.force());
-        self.past.push(node, dt);
+        self.path_history.push(node, dt);
         self.edge.forget();
-        if let (Some(meter), Some(point)) = (&mut self.meter, self.record.trace.path.last()) {
-            meter.step(point);
+        if let (Some(cycle_integrals), Some(point)) = (&mut self.cycle_integrals, self.record.trace.path.last()) {
+            cycle_integrals.step(point);
         }
     }
 
     /// An instantaneous change of what is imposed: the edge follows glassily, in small parts of the change.
-    fn at_once(&mut self, stretch: &Stretch) -> Result<(), Refusal> {
-        let controlled = stretch.segment.controlled;
+    fn at_once(&mut self, current: &CurrentSegment) -> Result<(), Refusal> {
+        let controlled = current.segment.controlled;
         let stiffness = self.problem.frame_stiffness.unwrap_or(0.0);
         for part in 1..=PARTS {
-            let value = stretch.from + (stretch.segment.end - stretch.from) * f64::from(part) / f64::from(PARTS);
+            let value = current.from + (current.segment.end - current.from) * f64::from(part) / f64::from(PARTS);
             if controlled == Controlled::ContactRadius {
                 self.prescribed(value, 0.0, 1)?;
                 self.went(0.0, 0.0, self.time, 0.0);

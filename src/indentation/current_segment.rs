@@ -1,4 +1,4 @@
-//! The stretch of a history that a march goes through.
+//! The segment of a history that an integration goes through.
 
 use super::history::Segment;
 use serde::{Deserialize, Serialize};
@@ -7,16 +7,16 @@ use std::f64::consts::TAU;
 /// Most that an oscillation goes on within a step (rad), at the loosest tolerance: the work of a cycle is taken through the last six points.
 const ANGLE: f64 = 0.4;
 
-/// The stretch of history under way; times count from its start.
-pub(super) struct Stretch {
+/// The segment of history under way; times count from its start.
+pub(super) struct CurrentSegment {
     pub(super) from: f64,
     pub(super) segment: Segment,
 }
 
-/// Where a march is within a stretch, besides the time.
+/// Where an integration is within a segment, besides the time.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 pub(super) struct Place {
-    /// Which stretch of the history, from 0.
+    /// Which segment of the history, from 0.
     pub(super) segment: usize,
     /// What its controlled quantity began from.
     pub(super) from: f64,
@@ -25,11 +25,11 @@ pub(super) struct Place {
     /// The next instant to keep and the next cycle to end, from 1.
     pub(super) instant: u32,
     pub(super) cycle: u64,
-    /// Steps of the march at which it gives up.
+    /// Steps of the integration at which it gives up.
     pub(super) budget: u64,
 }
 
-impl Stretch {
+impl CurrentSegment {
     pub(super) fn value(&self, time: f64) -> f64 {
         self.segment.value(self.from, time)
     }
@@ -39,7 +39,7 @@ impl Stretch {
         (self.segment.end - self.from) / self.segment.duration
     }
 
-    /// Where the next whole cycle ends after so many, if the stretch oscillates and holds another.
+    /// Where the next whole cycle ends after so many, if the segment oscillates and holds another.
     pub(super) fn end_of_cycle(&self, number: u64) -> Option<f64> {
         self.segment.oscillation.and_then(|oscillation| oscillation.time_of(number as f64, self.segment.duration))
     }
@@ -55,7 +55,7 @@ impl Stretch {
     }
 }
 
-/// What a stretch weighs against others in the work that they are: cycles cost each about as much as a ramp.
+/// What a segment weighs against others in the work that they are: cycles cost each about as much as a ramp.
 pub(super) fn weight(segment: &Segment) -> f64 {
     1.0 + segment.oscillation.map_or(0.0, |oscillation| oscillation.cycles_at(segment.duration, segment.duration))
 }

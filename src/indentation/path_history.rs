@@ -1,4 +1,4 @@
-//! The last points of a march, and the polynomials through them that the next step follows.
+//! The last points of an integration, and the polynomials through them that the next step follows.
 //!
 //! Between (0, 0) and (1, 1) a step goes as v = x[1 + (x − 1)q(x)], q the polynomial through what earlier points ask of it: a new point costs one unknown,
 //! however high the degree. C depends on t(s) − t(s′) with a smooth weight, an equation of the second kind in t(s): any such
@@ -15,10 +15,10 @@ const KEPT: usize = DEGREE;
 /// A term that does not fall to this part of the one before is noise, or the path is not smooth.
 const FALLS: f64 = 0.9;
 
-/// A point of the march.
+/// A point of the integration.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Node {
-    /// Since the newest point, so zero or less (s): an edge that runs away takes steps that no clock tells from the time since the start.
+    /// Since the newest point, so zero or less (s): an edge that accelerates unstably takes steps that no clock tells from the time since the start.
     pub(super) time: f64,
     /// y(a), see [`super::motion`].
     pub(super) place: f64,
@@ -29,7 +29,7 @@ pub(super) struct Node {
 
 /// Points since the last corner, the newest first.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
-pub(super) struct Past {
+pub(super) struct PathHistory {
     nodes: Vec<Node>,
     /// Whether the edge was at rest, turning, at the oldest node: its speed is a condition too, then.
     turned: bool,
@@ -39,12 +39,12 @@ pub(super) struct Past {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bridge {
     pub(super) coefficients: [f64; DEGREE],
-    /// Largest distance within the step from the polynomial of one degree less; 0 for a straight line without a past.
+    /// Largest distance within the step from the polynomial of one degree less; 0 for a straight line without a path history.
     pub(super) error: f64,
     pub(super) degree: u32,
 }
 
-impl Past {
+impl PathHistory {
     pub(super) fn nodes(&self) -> &[Node] {
         &self.nodes
     }
@@ -71,7 +71,7 @@ impl Past {
         self.nodes.truncate(KEPT);
     }
 
-    /// v(x) through the past, with x and v of a node relative to the step: x = 0, v = 0 is now, x = 1, v = 1 its end. Of as high a degree as helps.
+    /// v(x) through the path history, with x and v of a node relative to the step: x = 0, v = 0 is now, x = 1, v = 1 its end. Of as high a degree as helps.
     /// `held`: the degree of an earlier trial of the same step, so that the trials are of one smooth function. `rest`: whether v(x) has slope zero
     /// where the edge turned; its inverse has none.
     pub(super) fn bridge(&self, held: Option<u32>, rest: bool, of: impl Fn(&Node) -> (f64, f64)) -> Bridge {
@@ -79,7 +79,7 @@ impl Past {
         let mut bridge = Bridge { coefficients: sum.coefficients, error: 0.0, degree: 1 };
         let most = held.map_or(DEGREE - 1, |degree| degree.saturating_sub(1) as usize);
         if self.turned && self.nodes.len() == 1 && rest {
-            // From rest: v = x², which nothing judges yet.
+            // From rest: v = x², which nothing has assessed yet.
             if most > 0 && sum.add_rest(0.0, 0.0).is_some() {
                 bridge = Bridge { coefficients: sum.coefficients, error: 0.0, degree: 2 };
             }
@@ -101,7 +101,7 @@ impl Past {
             let added = if at_rest { sum.add_rest(x, v) } else { sum.add(x, v) };
             let Some(size) = added else { break };
             if count == 0 {
-                // A straight line is judged as well: by the term that it leaves out.
+                // A straight line is assessed as well: by the term that it leaves out.
                 bridge.error = size;
             }
             if most == 0 || (held.is_none() && size > FALLS * last) {
@@ -117,7 +117,7 @@ impl Past {
         bridge
     }
 
-    /// Powers of v(x) from (0, 0) to (1, rise) through points of the past as far as a degree goes, and the size of the last term. Affine in `rise`.
+    /// Powers of v(x) from (0, 0) to (1, rise) through points of the path history as far as a degree goes, and the size of the last term. Affine in `rise`.
     pub(super) fn powers(&self, rise: f64, degree: u32, of: impl Fn(&Node) -> (f64, f64)) -> ([f64; DEGREE], f64) {
         let mut sum = Newton::new(rise);
         let mut last = 0.0;
@@ -286,14 +286,14 @@ mod tests {
     fn a_turn_is_at_rest() {
         // y = −t² + t³/8 from a turn at t = 0.
         let y = |t: f64| -t * t + t * t * t / 8.0;
-        let mut past = Past::default();
-        past.restart_at_turn(node(0.0));
-        let first = past.bridge(None, true, |_| (0.0, 0.0));
+        let mut path_history = PathHistory::default();
+        path_history.restart_at_turn(node(0.0));
+        let first = path_history.bridge(None, true, |_| (0.0, 0.0));
         assert_eq!((first.coefficients[0], first.coefficients[1]), (0.0, 1.0));
-        past.push(node(y(0.1)), 0.1);
-        past.push(node(y(0.3)), 0.2);
+        path_history.push(node(y(0.1)), 0.1);
+        path_history.push(node(y(0.3)), 0.2);
         let (t0, t1) = (0.3, 0.5);
-        let bridge = past.bridge(None, true, |node| (node.time / (t1 - t0), (node.place - y(t0)) / (y(t1) - y(t0))));
+        let bridge = path_history.bridge(None, true, |node| (node.time / (t1 - t0), (node.place - y(t0)) / (y(t1) - y(t0))));
         for x in [0.1, 0.4, 0.77] {
             let exact = (y(t0 + (t1 - t0) * x) - y(t0)) / (y(t1) - y(t0));
             assert!((polynomial(&bridge.coefficients, x) - exact).abs() < 1e-13, "{bridge:?}");
@@ -304,13 +304,13 @@ mod tests {
     fn a_polynomial_of_the_degree_is_met() {
         // t = 0.5y + y³/8 − y⁴/50, at places that are not equidistant.
         let t = |y: f64| 0.5 * y + y * y * y / 8.0 - y.powi(4) / 50.0;
-        let mut past = Past::default();
-        past.restart(node(0.0));
+        let mut path_history = PathHistory::default();
+        path_history.restart(node(0.0));
         for (before, y) in [(0.0, 0.3), (0.3, 0.4), (0.4, 0.8), (0.8, 1.1)] {
-            past.push(node(y), t(y) - t(before));
+            path_history.push(node(y), t(y) - t(before));
         }
         let (y0, y1) = (1.1, 1.5);
-        let bridge = past.bridge(None, true, |node| ((node.place - y0) / (y1 - y0), node.time / (t(y1) - t(y0))));
+        let bridge = path_history.bridge(None, true, |node| ((node.place - y0) / (y1 - y0), node.time / (t(y1) - t(y0))));
         for x in [0.1, 0.4, 0.77] {
             let exact = (t(y0 + (y1 - y0) * x) - t(y0)) / (t(y1) - t(y0));
             assert!((polynomial(&bridge.coefficients, x) - exact).abs() < 1e-13, "{bridge:?}");

@@ -1,4 +1,4 @@
-//! The one place of this plan that asks [`viscotack::indentation`] for a march.
+//! The one place of this plan that asks [`viscotack::indentation`] for an integration.
 
 use super::IndentationPlan;
 use super::timeline::Leg;

@@ -1,4 +1,4 @@
-//! Adhesion so faint that the pull of an edge is lost among the last digits of the load: the contact without it, with bars that hold what it would change.
+//! Adhesion so weak that the pull of an edge is lost among the last digits of the load: the contact without it, with bounds that hold what it would change.
 //!
 //! What adhesion changes goes with the pull, √Γ. A contact whose works are so much larger that they are felt tells how much that is, and the root of the ratio of the
 //! works brings it down to those that were asked for. What belongs to the edges alone, such as their release rates, is not known and left out.
@@ -7,14 +7,15 @@ use super::problem::SlidingProblem;
 use super::solution::{PartialContact, PartialValues, SlidingOutcome, SlidingWork};
 use super::solve::contact_on_the_curve;
 use crate::estimate::Estimate;
-use crate::material::Material;
+use crate::material::PlaneMaterial;
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::WaveAdhesion;
 
-/// Largest pull of an edge over the load that is faint beside a contact with edges of its own, whose bars are too wide.
-const FAINTEST: f64 = 1e-11;
-/// The same where no such contact is found. What is stronger has roots with digits of their own: works of 1e-13 and more (pulls of 2e-6) all of 800 tried, works of 1e-14 all but 6 of 96.
-const FAINT: f64 = 1e-5;
+/// Largest pull of an edge over the load that is negligible beside a contact with edges of its own, whose bounds are too wide.
+const LEAST_NEGLIGIBLE: f64 = 1e-11;
+/// The same where no such contact is found. What is stronger has roots with digits of their own: works of 1e-13 and more (pulls of 2e-6) all of 800 tried, works of 1e-14
+/// all but 6 of 96.
+const NEGLIGIBLE: f64 = 1e-5;
 /// Pull over the load of the adhesion that is felt.
 const FELT: f64 = 1e-4;
 /// Its process zones over the half-width, at most.
@@ -22,22 +23,27 @@ const LONGEST_ZONE: f64 = 1e-2;
 /// Bound over what the root of the works makes of the change.
 const SAFETY: f64 = 3.0;
 
-/// Whether adhesion may be that faint in a wide contact.
-pub(super) fn may_be_faint(material: &Material, adhesion: WaveAdhesion) -> bool {
-    (material.glassy_modulus() / material.relaxed_modulus() * adhesion.larger_work()).sqrt() < FAINT
+/// Whether adhesion may be that weak in a wide contact.
+pub(super) fn may_be_negligible(material: &PlaneMaterial, adhesion: WaveAdhesion) -> bool {
+    (material.glassy_modulus() / material.relaxed_modulus() * adhesion.larger_work()).sqrt() < NEGLIGIBLE
 }
 
-/// The contact without an adhesion that is too faint for its edges to be told; none if it is not, or if nothing but adhesion holds the contact.
-pub(super) fn without_faint_adhesion(
+/// The contact without an adhesion that is too weak for its edges to be resolved; none if it is not, or if nothing but adhesion holds the contact.
+pub(super) fn without_negligible_adhesion(
     found: bool,
-    material: &Material,
+    material: &PlaneMaterial,
     problem: &SlidingProblem<'_>,
     work: &mut SlidingWork,
 ) -> Option<SlidingOutcome> {
-    without_adhesion_below(if found { FAINTEST } else { FAINT }, material, problem, work)
+    without_adhesion_below(if found { LEAST_NEGLIGIBLE } else { NEGLIGIBLE }, material, problem, work)
 }
 
-fn without_adhesion_below(faint: f64, material: &Material, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Option<SlidingOutcome> {
+fn without_adhesion_below(
+    negligible: f64,
+    material: &PlaneMaterial,
+    problem: &SlidingProblem<'_>,
+    work: &mut SlidingWork,
+) -> Option<SlidingOutcome> {
     let adhesion = problem.adhesion?;
     let bare = SlidingProblem { adhesion: None, work_by_speed: None, ..*problem };
     let mut found = partial(material, &bare, work)?;
@@ -50,7 +56,7 @@ fn without_adhesion_below(faint: f64, material: &Material, problem: &SlidingProb
     };
     let load = found.values.mean_pressure.value.abs() + problem.indenter.half_angle_scale(half_width);
     let pull = (stiffening * breadth).sqrt() * adhesion.larger_work().sqrt();
-    if pull.is_nan() || pull > faint * load {
+    if pull.is_nan() || pull > negligible * load {
         return None;
     }
     let part = pull / (FELT * load);
@@ -105,7 +111,7 @@ fn felt(adhesion: WaveAdhesion, factor: f64, half_width: f64) -> WaveAdhesion {
     }
 }
 
-fn partial(material: &Material, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Option<PartialContact> {
+fn partial(material: &PlaneMaterial, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Option<PartialContact> {
     contact_on_the_curve(material, problem, work).ok()
 }
 
@@ -118,8 +124,8 @@ mod tests {
 
     /// Weak adhesion that is still felt: its own roots against what is said without it.
     #[test]
-    fn bars_hold_what_faint_adhesion_changes() {
-        let material = Material::standard_solid(1.0, 30.0, 1.0).expect("a material");
+    fn bounds_cover_what_negligible_adhesion_changes() {
+        let material = PlaneMaterial::standard_solid(1.0, 30.0, 1.0).expect("a material");
         let mut widest: f64 = 0.0;
         for indenter in [Indenter::Wave, Indenter::Parabola] {
             for control in [SlidingControl::MeanPressure(0.2), SlidingControl::HalfWidth(0.9)] {
@@ -130,16 +136,16 @@ mod tests {
                         .unwrap_or_else(|| panic!("no roots of {problem:?}"))
                         .values;
                     assert!(rooted.adhesion.is_some());
-                    let faint = without_adhesion_below(1e-4, &material, &problem, &mut SlidingWork::default());
-                    let Some(SlidingOutcome::Partial(faint)) = faint else { panic!("{problem:?}") };
-                    assert!(faint.values.adhesion.is_none());
+                    let negligible = without_adhesion_below(1e-4, &material, &problem, &mut SlidingWork::default());
+                    let Some(SlidingOutcome::Partial(negligible)) = negligible else { panic!("{problem:?}") };
+                    assert!(negligible.values.adhesion.is_none());
                     for (one, other) in [
-                        (faint.values.half_width, rooted.half_width),
-                        (faint.values.eccentricity, rooted.eccentricity),
-                        (faint.values.mean_pressure, rooted.mean_pressure),
-                        (faint.values.friction_stress, rooted.friction_stress),
-                        (faint.values.penetration, rooted.penetration),
-                        (faint.values.interface_work, rooted.interface_work),
+                        (negligible.values.half_width, rooted.half_width),
+                        (negligible.values.eccentricity, rooted.eccentricity),
+                        (negligible.values.mean_pressure, rooted.mean_pressure),
+                        (negligible.values.friction_stress, rooted.friction_stress),
+                        (negligible.values.penetration, rooted.penetration),
+                        (negligible.values.interface_work, rooted.interface_work),
                     ] {
                         let off = (one.value - other.value).abs();
                         assert!(off <= one.error + other.error, "{problem:?}: {one:?} {other:?}");
@@ -150,21 +156,21 @@ mod tests {
                 }
             }
         }
-        // The bars hold something: without what adhesion changes some would miss.
+        // The bounds hold something: without what adhesion changes some would miss.
         assert!(widest > 1e-2, "{widest}");
     }
 
     #[test]
-    fn adhesion_that_is_felt_is_not_faint() {
-        let material = Material::elastic(1.0).expect("a material");
+    fn adhesion_that_matters_is_not_negligible() {
+        let material = PlaneMaterial::elastic(1.0).expect("a material");
         let adhesion = Some(WaveAdhesion::even(1e-12, 1e-9));
         let control = SlidingControl::HalfWidth(1.0);
         let problem = SlidingProblem { rate: 0.0, indenter: Indenter::Wave, adhesion, work_by_speed: None, control, accuracy: 1e-9 };
-        assert!(without_faint_adhesion(true, &material, &problem, &mut SlidingWork::default()).is_none());
+        assert!(without_negligible_adhesion(true, &material, &problem, &mut SlidingWork::default()).is_none());
         // Nothing but adhesion holds an unloaded contact.
-        let faint = Some(WaveAdhesion::even(1e-100, 1e-53));
-        let unloaded = SlidingProblem { adhesion: faint, control: SlidingControl::MeanPressure(0.0), ..problem };
-        assert!(without_faint_adhesion(false, &material, &unloaded, &mut SlidingWork::default()).is_none());
-        assert!(steady_sliding(&material, &SlidingProblem { adhesion: faint, ..problem }).is_ok());
+        let negligible = Some(WaveAdhesion::even(1e-100, 1e-53));
+        let unloaded = SlidingProblem { adhesion: negligible, control: SlidingControl::MeanPressure(0.0), ..problem };
+        assert!(without_negligible_adhesion(false, &material, &unloaded, &mut SlidingWork::default()).is_none());
+        assert!(steady_sliding(&material, &SlidingProblem { adhesion: negligible, ..problem }).is_ok());
     }
 }

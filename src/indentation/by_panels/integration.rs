@@ -8,7 +8,7 @@ use super::check::checked;
 use super::checkpoint::PanelObserver;
 use super::closure::Window;
 use super::cycles::Cycles;
-use super::drive::{Branch, Stretch};
+use super::drive::{Branch, DriveSegment};
 use super::events::{MERGE, Mark, first_crossing, turning};
 use super::followed::{State, solved_with_depth};
 use super::jump::FLOOR;
@@ -33,14 +33,14 @@ pub(super) const PATIENCE: u32 = 5;
 /// Way of a held edge, in process zones, that is rounding.
 const REST: f64 = 1e-9;
 
-/// The state of the march.
-pub(super) struct March<'a> {
+/// The state of the integration.
+pub(super) struct Integration<'a> {
     pub(super) problem: &'a Problem,
     pub(super) observer: Option<PanelObserver<'a>>,
     pub(super) points: Points,
     pub(super) window: Window,
     pub(super) line: Line,
-    /// Which stretch of the history comes next, and the branch of the one under way.
+    /// Which segment of the history comes next, and the branch of the one under way.
     pub(super) upcoming: usize,
     pub(super) branch: Branch,
     /// A sudden step under way.
@@ -48,7 +48,7 @@ pub(super) struct March<'a> {
     /// Kinks of the line.
     pub(super) marks: Vec<Mark>,
     /// Whether the edge advances, and its path so far up to a parameter.
-    pub(super) past: Option<(bool, Segment, f64)>,
+    pub(super) previous: Option<(bool, Segment, f64)>,
     pub(super) span: (Chart, f64),
     /// How far the edge would go until it turns, were its deceleration to last.
     pub(super) to_turn: f64,
@@ -68,24 +68,24 @@ pub(super) struct March<'a> {
     pub(super) piece: u32,
     /// C/Δγ − 1 on the last panel, at most.
     pub(super) panel_residual: f64,
-    /// Instants wanted, those that come after a stretch that ended early moved with it, and how many of them have been met.
+    /// Instants wanted, those that come after a segment that ended early moved with it, and how many of them have been met.
     pub(super) instants: Vec<f64>,
     pub(super) met: usize,
     /// The oscillation under way, and the rows of its cycles.
     pub(super) cycles: Option<Cycles>,
     pub(super) rows: Record<'static>,
-    /// Panels, accepted or not, before the stretch or cycle under way.
+    /// Panels, accepted or not, before the segment or cycle under way.
     pub(super) budget_from: u64,
     pub(super) outcome: Outcome,
 }
 
-impl<'a> March<'a> {
+impl<'a> Integration<'a> {
     pub(super) fn new(problem: &'a Problem, edge: f64, depth: f64) -> Self {
         let mut line = Line::new(edge, &breaks(&problem.profile, edge));
         if !problem.relaxed {
             glassy(problem, &mut line, depth);
         }
-        let still = Stretch { control: None, end: depth, duration: 0.0, oscillation: None, segment: 0 };
+        let still = DriveSegment { control: None, end: depth, duration: 0.0, oscillation: None, segment: 0 };
         let branch = still.branch(0.0, depth, vec![0.0; problem.chain.terms()]);
         let row = Row::default();
         let outcome = Outcome {
@@ -108,7 +108,7 @@ impl<'a> March<'a> {
             spreads: vec![],
             shortened: vec![],
         };
-        let mut march = Self {
+        let mut integration = Self {
             problem,
             observer: None,
             points: Points::new(problem.degree),
@@ -118,7 +118,7 @@ impl<'a> March<'a> {
             branch,
             at_once: None,
             marks: vec![Mark { place: 0.0, jump: true }],
-            past: None,
+            previous: None,
             span: (Chart::TimeOfPlace, 0.0),
             to_turn: f64::INFINITY,
             since_turn: 0.0,
@@ -138,15 +138,15 @@ impl<'a> March<'a> {
             budget_from: 0,
             outcome,
         };
-        march.window.blur = MERGE * problem.tolerance * march.displacement();
-        let row = march.row(None, 0.0);
-        (march.outcome.start, march.outcome.least_force) = (row, row);
-        march.record_rest(0.0);
+        integration.window.blur = MERGE * problem.tolerance * integration.displacement();
+        let row = integration.row(None, 0.0);
+        (integration.outcome.start, integration.outcome.least_force) = (row, row);
+        integration.record_rest(0.0);
         if !problem.relaxed && problem.adhesion.is_some() {
-            march.event(EventKind::JumpIn, &row);
+            integration.event(EventKind::JumpIn, &row);
         }
-        march.begins();
-        march
+        integration.begins();
+        integration
     }
 
     /// One panel, accepted or refused; or a jump; or a rest.
@@ -154,17 +154,17 @@ impl<'a> March<'a> {
         let zone = self.problem.zone;
         let tolerance = self.problem.tolerance * self.length();
         if self.branch.is_over() {
-            return self.next_stretch();
+            return self.next_segment();
         }
         if self.branch.end - self.line.time <= ROUNDING_OF_TIME * self.branch.end {
-            // A panel that ended where the stretch does, but for rounding.
+            // A panel that ended where the segment does, but for rounding.
             self.mark(false);
-            return self.next_stretch();
+            return self.next_segment();
         }
         if self.is_prescribed() {
             return self.prescribed();
         }
-        if self.past.is_none() {
+        if self.previous.is_none() {
             let left = self.branch.end - self.line.time;
             if self.state.is_some() {
                 self.balance();
@@ -190,7 +190,7 @@ impl<'a> March<'a> {
             }
             self.sets(outset, left);
         }
-        let (advances, past, theta) = self.past.clone()?;
+        let (advances, previous, theta) = self.previous.clone()?;
         let (chart, mut span) = self.span;
         let mut floor = false;
         if chart == Chart::TimeOfPlace {
@@ -211,20 +211,20 @@ impl<'a> March<'a> {
                 }
             }
         }
-        let (mut guess, mut depths) = continued(&self.points, &past, theta, chart, span);
+        let (mut guess, mut depths) = continued(&self.points, &previous, theta, chart, span);
         if chart == Chart::PlaceOfTime {
             // States jump at a strong kink: it is landed on, in place; before that the edge goes on in time as long as it stays clear of it.
             let (kink, strong, _) = self.next_kink(advances);
             let crosses = |guess: &[f64]| strong && guess.iter().any(|s| s / kink >= 1.0);
             if crosses(&guess) {
-                let v = past.place_at(theta).1 / series(&past.times, theta).1;
+                let v = previous.place_at(theta).1 / series(&previous.times, theta).1;
                 if v * kink > 0.0 && self.to_turn > 1.5 * kink.abs() {
                     self.span = (Chart::TimeOfPlace, kink);
                     return None;
                 }
                 while crosses(&guess) && span > 0.0 {
                     span *= 0.7;
-                    (guess, depths) = continued(&self.points, &past, theta, chart, span);
+                    (guess, depths) = continued(&self.points, &previous, theta, chart, span);
                 }
             }
         }
@@ -291,7 +291,7 @@ impl<'a> March<'a> {
                 self.flips = 0;
                 return if self.lingers(span, tolerance) { None } else { self.refuses(span, 0.3, 0.0) };
             }
-            self.past = Some((!advances, past, theta));
+            self.previous = Some((!advances, previous, theta));
             self.mark(false);
             return None;
         }

@@ -5,7 +5,7 @@ use super::profile::Profile;
 use super::springs::{Following, Springs};
 
 /// The motion, ready to be applied to many points.
-pub(super) struct Passing<'a> {
+pub(super) struct NodeUpdate<'a> {
     springs: &'a Springs,
     profile: &'a Profile,
     motion: &'a Motion,
@@ -16,7 +16,7 @@ pub(super) struct Passing<'a> {
     scratch: Vec<f64>,
 }
 
-impl<'a> Passing<'a> {
+impl<'a> NodeUpdate<'a> {
     pub(super) fn new(springs: &'a Springs, profile: &'a Profile, motion: &'a Motion) -> Self {
         let (mut whole, mut kept) = (Following::default(), Vec::new());
         springs.following(motion.time, &motion.powers, &mut whole);

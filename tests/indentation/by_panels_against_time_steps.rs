@@ -1,4 +1,4 @@
-//! Source: thesis chapter 4 by two methods of this crate: panels of the edge's path, and the march with its error bounds.
+//! Source: thesis chapter 4 by two methods of this crate: panels of the edge's path, and the integration with its error bounds.
 //!
 //! Goal: on scenes nobody chose, the two agree within the bounds of both. Prints how much faster the panels are, and the scene furthest apart.
 //!
@@ -14,7 +14,7 @@ use std::time::Instant;
 use viscotack::indentation::by_panels::solve_by_panels;
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Oscillation, Profile, run};
 use viscotack::material::CreepTerm;
-use viscotack::{Material, Refusal};
+use viscotack::{PlaneMaterial, Refusal};
 
 /// Uniform numbers of a linear congruential generator (Knuth's MMIX constants).
 struct Draw(u64);
@@ -34,7 +34,7 @@ impl Draw {
     }
 }
 
-fn scene(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
+fn scene(draw: &mut Draw) -> (&'static str, PlaneMaterial, IndentationProblem) {
     let stiffening = draw.ratio(3.0, 100.0);
     let count = 1 + (draw.unit() * 4.0) as usize;
     let weights: Vec<f64> = (0..count).map(|_| draw.between(0.2, 1.0)).collect();
@@ -48,7 +48,7 @@ fn scene(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
             retardation_time: slowest * 10.0_f64.powf(-1.2 * k as f64),
         })
         .collect();
-    let material = Material::from_creep(stiffening, &terms, None).unwrap();
+    let material = PlaneMaterial::from_creep(stiffening, &terms, None).unwrap();
     let work = draw.ratio(1e-4, 8e-4);
     let adhesion = Adhesion { work_of_adhesion: work, process_zone: draw.ratio(2e-3, 2e-2) };
     let depth = draw.between(0.015, 0.035);
@@ -98,8 +98,8 @@ fn shape(draw: &mut Draw) -> Profile {
     }
 }
 
-/// The same solids under histories of which each stretch gives penetration, force or frame, or changes the penetration at once.
-fn changing(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
+/// The same solids under histories of which each segment gives penetration, force or frame, or changes the penetration at once.
+fn changing(draw: &mut Draw) -> (&'static str, PlaneMaterial, IndentationProblem) {
     let (_, material, problem) = scene(draw);
     let profile = shape(draw);
     let depth = draw.between(0.02, 0.035);
@@ -124,30 +124,30 @@ fn changing(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
 }
 
 #[test]
-fn panels_and_march_agree_within_their_bounds() {
+fn panels_and_time_steps_agree_within_their_bounds() {
     compared(20, &mut Draw(20_261_125), scene);
 }
 
 #[test]
-fn panels_and_march_agree_on_every_shape_under_controls_that_change() {
+fn panels_and_time_steps_agree_on_every_shape_under_controls_that_change() {
     compared(12, &mut Draw(20_261_126), changing);
 }
 
-fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'static str, Material, IndentationProblem)) {
+fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'static str, PlaneMaterial, IndentationProblem)) {
     let scenes: usize = std::env::var("VISCOTACK_SCENES").ok().and_then(|count| count.parse().ok()).unwrap_or(usual);
     let (mut ratios, mut failures, mut values) = (Vec::new(), Vec::new(), 0_u32);
     let mut furthest = (0.0_f64, String::new());
     for number in 0..scenes {
         let (name, material, problem) = scene(draw);
         let clock = Instant::now();
-        let marched = match run(&material, &problem) {
-            Ok(marched) => marched,
+        let integrated = match run(&material, &problem) {
+            Ok(integrated) => integrated,
             Err(refusal) => {
-                println!("scene {number} ({name}): the march refuses: {refusal}");
+                println!("scene {number} ({name}): the integration refuses: {refusal}");
                 continue;
             }
         };
-        let march_time = clock.elapsed().as_secs_f64();
+        let integration_time = clock.elapsed().as_secs_f64();
         let clock = Instant::now();
         let panels = match solve_by_panels(&material, &problem) {
             Ok(panels) => panels,
@@ -160,9 +160,9 @@ fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'stati
                 continue;
             }
         };
-        ratios.push(march_time / clock.elapsed().as_secs_f64());
-        let scale = marched.instants.iter().map(|instant| instant.force.value.abs()).fold(0.0, f64::max);
-        for (row, instant) in panels.instants.iter().zip(&marched.instants) {
+        ratios.push(integration_time / clock.elapsed().as_secs_f64());
+        let scale = integrated.instants.iter().map(|instant| instant.force.value.abs()).fold(0.0, f64::max);
+        for (row, instant) in panels.instants.iter().zip(&integrated.instants) {
             if instant.contact_radius.value <= 0.0 {
                 break;
             }
@@ -187,7 +187,7 @@ fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'stati
     }
     ratios.sort_by(f64::total_cmp);
     println!(
-        "{} scenes, {values} values, time of the march over that of the panels: {:.1} in the median",
+        "{} scenes, {values} values, time of the integration over that of the panels: {:.1} in the median",
         ratios.len(),
         ratios[ratios.len() / 2]
     );
