@@ -297,6 +297,8 @@ const KINKED_ORDER: usize = 6;
 /// Tolerance of the mesh there over the relative error, and at most.
 const KINKED_MESH: f64 = 300.0;
 const COARSEST_KINKED_MESH: f64 = 0.1;
+/// Tolerance of the force there over that of a smooth law: stage forces see a kink late.
+const KINKED_FORCE: f64 = 0.2;
 /// Nodes of the mesh there, at most.
 const KINKED_NODES: usize = 2000;
 
@@ -319,7 +321,7 @@ impl Accuracy {
             return smooth;
         }
         let mesh = (KINKED_MESH * smooth.step).clamp(1e-5, COARSEST_KINKED_MESH);
-        Self { order: KINKED_ORDER, most_nodes: KINKED_NODES, mesh, ..smooth }
+        Self { order: KINKED_ORDER, most_nodes: KINKED_NODES, mesh, force: KINKED_FORCE * smooth.force, ..smooth }
     }
 
     /// Checks every tolerance, and the order against that of the mesher.
