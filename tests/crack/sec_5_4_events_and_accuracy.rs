@@ -6,7 +6,8 @@
 //! Parameters: one-term solids under one load, β 1.2–1000, at the lines that scenes of accuracies 1e-2 to 1e-7 took, and at any others; slow arrests under falling loads;
 //! zones that follow the load; the input `delayed_100301`; random scenes of the study.
 //!
-//! Oracle: dw/dq = [w(q) − w(q − 1)]/c, w = e^{t/τ}, c = (1 − 1/k)/(1 − 1/β): a tip under one load starts once, has one kink at q = 1, where w = 1 + (1/c − 1)e^{1/c},
+//! Oracle: dw/dq = [w(q) − w(q − 1)]/c, w = e^{t/τ}, c = (1 − 1/k)/(1 − 1/β): a tip under one load starts once, has one kink at q = 1, where w = 1 +
+//! (1/c − 1)e^{1/c},
 //! and never stops (w grows with q). For the others: equal lists at all resolutions, and numbers within both bounds. `delayed_events.csv` by another route.
 //!
 //! Tolerance: the bounds that the program states; they must be below 1e-6 of the times.

@@ -59,7 +59,8 @@ fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
 }
 
-/// Process zone over the radius of a state. Dugdale: δ = (π²/6) K²/(2πσ_c²) is two thirds of the exact length z, and follows K. Smooth laws: one length each, chosen
+/// Process zone over the radius of a state. Dugdale: δ = (π²/6) K²/(2πσ_c²) is two thirds of the exact length z, and follows K. Smooth laws: one
+/// length each, chosen
 /// once.
 fn zone_of(state: &Value) -> (f64, bool) {
     match state["model"].as_str().unwrap() {
@@ -122,7 +123,8 @@ fn twelve_exact_states() {
     }
 }
 
-/// Rubber of E0 = 1 MPa, E∞ = 10 MPa under a punch of 100 µm, and the same in other units: the fast pull is that of a glassy punch after any preload, the slow one that
+/// Rubber of E0 = 1 MPa, E∞ = 10 MPa under a punch of 100 µm, and the same in other units: the fast pull is that of a glassy punch after any
+/// preload, the slow one that
 /// of a soft one.
 #[test]
 fn kendall_at_both_ends_whatever_the_preload() {

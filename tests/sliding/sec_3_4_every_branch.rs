@@ -10,13 +10,15 @@
 //! ```
 //! The stress that a gap releases relaxes on the way over it by rσ per length, and only the slope of the pressure of the wave there, |E| sin(φ − e), can make up for it.
 //!
-//! Parameters: β = 10 to 1000, ζ = 0.1 to 1e4, Γ = 1e-5 to 0.005, δ/a and δ/c from 0.1 to 1e-3, a and π − a from 2 to 1e-6; 80 random problems, Γ = 1e-6 to 1, δ = 1e-6
+//! Parameters: β = 10 to 1000, ζ = 0.1 to 1e4, Γ = 1e-5 to 0.005, δ/a and δ/c from 0.1 to 1e-3, a and π − a from 2 to 1e-6; 80 random problems, Γ =
+//! 1e-6 to 1, δ = 1e-6
 //! to 0.1.
 //!
 //! Oracle: Newton's method from random starts; collocation; p_out of the branches of loads (an isola in speed is where it is below its value at both ends of the
 //! speeds); the formulas above; Johnson's wave as δ → 0; the cylinder.
 //!
-//! Tolerance: near full contact 1e-8 of p̄ elastic, extrapolated over four δ; sliding 1e-4 (the next order is c/ε and δ/c squared); cylinder 1e-5 of p̄, extrapolated;
+//! Tolerance: near full contact 1e-8 of p̄ elastic, extrapolated over four δ; sliding 1e-4 (the next order is c/ε and δ/c squared); cylinder 1e-5 of
+//! p̄, extrapolated;
 //! folds of the isola where p_out passes the load to 1e-6. Bounds of folds hold in at least 98 of 100, and their median is at most a hundred times the error; of random
 //! branches no end is a defect and at most one turn in twenty is unlocated (two in a hundred seen).
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]

@@ -6,7 +6,8 @@
 //! ```text
 //! reference:  the integral equation collocated; all eccentricities and half-widths scanned; stability by differences of collocated works
 //! ```
-//! Parameters: one, two and six terms, β from 2 to 100, sliding ratios from 0.014 to 100, with and without adhesion, equal and unequal works, negative snap-in; the scene
+//! Parameters: one, two and six terms, β from 2 to 100, sliding ratios from 0.014 to 100, with and without adhesion, equal and unequal works,
+//! negative snap-in; the scene
 //! of
 //! `new sliding` at three speeds. E0 = 2.3 MPa and kv = 7/s, no units.
 //!

@@ -301,7 +301,8 @@ impl Memory {
         self.terms.iter().map(|term| Self::by_last_slope(term, step)).sum()
     }
 
-    /// x₁ + εσ²(σ − 1), σ = 1 − v, has ε more slope at its end: δM_j = −(εg_jΔt/z) ∫ e^{−l_jΔt v} κ v(1 − v)² dv, where the load is that at the end to the order that
+    /// x₁ + εσ²(σ − 1), σ = 1 − v, has ε more slope at its end: δM_j = −(εg_jΔt/z) ∫ e^{−l_jΔt v} κ v(1 − v)² dv, where the load is that at the end
+    /// to the order that
     /// counts.
     fn by_last_slope(term: &Term, step: &Step) -> f64 {
         let (_, [_, n1, n2, n3]) = fading_moments(term.rate * step.duration);

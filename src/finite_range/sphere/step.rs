@@ -287,7 +287,11 @@ impl<'m> Solver<'m> {
                 flags[(i + 1) / order] = true;
             }
         }
-        self.refined_if(state, &flags)
+        // Nothing needs these nodes: where they are too many, the step is shortened instead.
+        let known = self.too_fine;
+        let finer = self.refined_if(state, &flags);
+        self.too_fine = known;
+        finer
     }
 
     /// The state with the flagged elements halved.

@@ -5,7 +5,8 @@ use viscotack::finite_range::law::{Attraction, Law};
 use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Control, Creep, KINKED, Leg, Mesher, Motion, Problem, Run, Shape, Start, run};
 use viscotack::refusal::Refusal;
 
-/// Tolerance of the first of both runs that give bounds, for smooth and for kinked laws; the second, and the one that they are compared with, are tightened from it as a scene does.
+/// Tolerance of the first of both runs that give bounds, for smooth and for kinked laws; the second, and the one that they are compared with, are
+/// tightened from it as a scene does.
 const TOLERANCES: [f64; 2] = [1e-4, 1e-3];
 /// Attempted steps of the first run; the others may take more.
 pub const MOST_STEPS: usize = 1500;
