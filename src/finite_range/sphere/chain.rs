@@ -4,6 +4,8 @@
 //! ESDIRK4(3)6L[2]SA of Kennedy & Carpenter (2003): five implicit stages with one diagonal ¼, so that one effective compliance
 //! C = 1/β + Σ J_j z_j/(1 + z_j), z_j = h/(4τ_j), serves all of them, and each stage is one elastic adhesive contact.
 
+use std::ops::Range;
+
 /// The diagonal of the tableau.
 pub(super) const DIAGONAL: f64 = 0.25;
 /// The stages.
@@ -35,13 +37,13 @@ pub(super) fn dot(weights: &[f64; STAGES], values: &[f64; STAGES]) -> f64 {
     weights.iter().zip(values).map(|(w, v)| w * v).sum()
 }
 
-/// Σ_k weights_k of the polynomial through values at `times[..known]`, at another time.
-pub(super) fn extrapolation(known: usize, at: f64) -> [f64; STAGES] {
+/// Σ_k weights_k of the polynomial through values at some of the stages' times, at another time.
+pub(super) fn extrapolation(known: Range<usize>, at: f64) -> [f64; STAGES] {
     std::array::from_fn(|i| {
-        if i >= known {
+        if !known.contains(&i) {
             return 0.0;
         }
-        (0..known).filter(|&k| k != i).map(|k| (at - TIMES[k]) / (TIMES[i] - TIMES[k])).product()
+        known.clone().filter(|&k| k != i).map(|k| (at - TIMES[k]) / (TIMES[i] - TIMES[k])).product()
     })
 }
 

@@ -288,10 +288,17 @@ pub struct Accuracy {
     pub newton: f64,
     /// Attempted steps after which the run ends with a refusal.
     pub budget: usize,
+    /// What the tolerances of the mesh and of a step are multiplied by to assess a run, between 0 and 1.
+    pub finer: f64,
     /// Nodes that a mesh may have; a run that needs more ends with a refusal. Seven matrices of so many squared are alive at a time.
     pub most_nodes: usize,
 }
 
+/// What tolerances are multiplied by to assess a run. Where the law is kinked, ten times tighter ones cost ten times as much.
+const FINER: f64 = 0.1;
+const KINKED_FINER: f64 = 0.3;
+/// The tolerance of the force falls with this power of that of a step.
+const FORCE_WITH_STEP: f64 = 0.7;
 /// Nodes of an element where the law is kinked.
 const KINKED_ORDER: usize = 6;
 /// Tolerance of the mesh there over the relative error, and at most.
@@ -307,9 +314,9 @@ impl Accuracy {
     #[must_use]
     pub fn new(relative: f64) -> Self {
         let relative = relative.clamp(1e-8, 1e-2);
-        let force = (1e-2 * (relative / 1e-5).powf(0.7)).clamp(2e-4, 5e-2);
+        let force = (1e-2 * (relative / 1e-5).powf(FORCE_WITH_STEP)).clamp(2e-4, 5e-2);
         let mesh = (1e-2 * (relative / 1e-5)).clamp(1e-5, 1e-2);
-        Self { order: 10, mesh, step: relative, force, newton: 0.05, budget: 100_000, most_nodes: 1200 }
+        Self { order: 10, mesh, step: relative, force, newton: 0.05, budget: 100_000, finer: FINER, most_nodes: 1200 }
     }
 
     /// The same for a law. Where it is kinked, elements of low order pay, the error falls in proportion to the tolerance of the mesh (the steps in
@@ -321,7 +328,7 @@ impl Accuracy {
             return smooth;
         }
         let mesh = (KINKED_MESH * smooth.step).clamp(1e-5, COARSEST_KINKED_MESH);
-        Self { order: KINKED_ORDER, most_nodes: KINKED_NODES, mesh, force: KINKED_FORCE * smooth.force, ..smooth }
+        Self { order: KINKED_ORDER, most_nodes: KINKED_NODES, mesh, force: KINKED_FORCE * smooth.force, finer: KINKED_FINER, ..smooth }
     }
 
     /// Checks every tolerance, and the order against that of the mesher.
@@ -333,6 +340,9 @@ impl Accuracy {
         require_positive("step tolerance", self.step)?;
         require_positive("force tolerance", self.force)?;
         require_positive("newton tolerance", self.newton)?;
+        if !(self.finer > 0.0 && self.finer < 1.0) {
+            return Err(Refusal::out_of_range("finer", self.finer, "between 0 and 1"));
+        }
         let allowed = self.order == order && (4..=16).contains(&order);
         if allowed { Ok(()) } else { Err(Refusal::out_of_range("order", self.order as f64, "that of the mesher, 4 to 16")) }
     }
@@ -340,6 +350,7 @@ impl Accuracy {
     /// The tolerances of the run that assesses this one.
     #[must_use]
     pub fn tightened(self) -> Self {
-        Self { mesh: 0.1 * self.mesh, step: 0.1 * self.step, force: 0.2 * self.force, ..self }
+        let Self { mesh, step, force, finer, .. } = self;
+        Self { mesh: finer * mesh, step: finer * step, force: finer.powf(FORCE_WITH_STEP) * force, ..self }
     }
 }

@@ -156,9 +156,10 @@ impl<'m> Solver<'m> {
         }
         let gap_error = self.gap_error(&from.mesh, &slopes, &z, &mut image);
         let (work, work_error) = work(drive, from, &depths, &forces, h);
+        // The first value may be that of another mesh, which does not fall with the step.
         let missing = |values: &[f64; STAGES]| {
-            let weights = extrapolation(STAGES - 1, 1.0);
-            (dot(&weights, values) - values[STAGES - 1]).abs()
+            let from = |first: usize| (dot(&extrapolation(first..STAGES - 1, 1.0), values) - values[STAGES - 1]).abs();
+            from(0).min(from(1))
         };
         let tolerance = self.accuracy;
         let scale = (forces[STAGES - 1].abs() / FORCE_SCALE).max(1.0);
@@ -225,7 +226,7 @@ impl<'m> Solver<'m> {
                 depth += TIMES[1] * h * depth_rate;
             }
         } else {
-            let weights = extrapolation(stage, TIMES[stage]);
+            let weights = extrapolation(0..stage, TIMES[stage]);
             guess.fill(0.0);
             depth = 0.0;
             for (k, gap) in gaps.iter().enumerate() {

@@ -17,6 +17,19 @@ pub(super) struct Runs {
     pub(super) consistent: bool,
     /// Linear systems of all runs.
     pub(super) systems: u64,
+    /// Why there is no tighter run, where these two do not agree as well as is wanted.
+    pub(super) refused: Option<Refusal>,
+}
+
+impl Runs {
+    /// Two runs after others that took so many linear systems.
+    fn of(loose: Run, tight: Run, before: u64) -> Self {
+        let consistent = loose.jumps.len() == tight.jumps.len()
+            && loose.losses.len() == tight.losses.len()
+            && loose.detachment.is_some() == tight.detachment.is_some();
+        let systems = before + [&loose, &tight].map(|run| run.certificate.iterations as u64).iter().sum::<u64>();
+        Self { loose, tight, consistent, systems, refused: None }
+    }
 }
 
 impl FiniteRangePlan {
@@ -25,28 +38,33 @@ impl FiniteRangePlan {
         Ok(self.course.problem(&self.reduced))
     }
 
-    /// The runs of the state.
+    /// The runs of the state. Where a third one is refused, the first two are what is known.
     pub(super) fn runs(&self, state_watch: &StateWatch<'_>) -> Result<Runs, Refusal> {
         let problem = self.problem()?;
-        let mut accuracy = Accuracy::of_law(self.solver_accuracy, &self.reduced.law);
+        let accuracy = Accuracy::of_law(self.solver_accuracy, &self.reduced.law);
         let mut mesher = Mesher::new(accuracy.order);
-        let watched = |number: u32| move |part: f64| state_watch.passed(number, part.min(1.0));
-        let mut loose = run_watched(&problem, accuracy, &mut mesher, &mut watched(1))?;
-        let mut systems = loose.certificate.iterations as u64;
-        for turn in 1..RUNS {
-            accuracy = accuracy.tightened();
-            let tight = run_watched(&problem, accuracy, &mut mesher, &mut watched(turn + 1))?;
-            systems += tight.certificate.iterations as u64;
-            let consistent = loose.jumps.len() == tight.jumps.len()
-                && loose.losses.len() == tight.losses.len()
-                && loose.detachment.is_some() == tight.detachment.is_some();
-            let runs = Runs { loose, tight, consistent, systems };
-            if turn + 1 == RUNS || (runs.consistent && self.agree(&runs)) {
-                return Ok(runs);
+        let mut solved =
+            |number: u32, accuracy: Accuracy| run_watched(&problem, accuracy, &mut mesher, &mut |part| state_watch.passed(number, part.min(1.0)));
+        let tighter = accuracy.tightened();
+        let mut runs = Runs::of(solved(1, accuracy)?, solved(2, tighter)?, 0);
+        let mut accuracy = tighter;
+        for number in 3..=RUNS {
+            if runs.consistent && self.agree(&runs) {
+                break;
             }
-            loose = runs.tight;
+            accuracy = accuracy.tightened();
+            match solved(number, accuracy) {
+                Ok(tight) => {
+                    let before = runs.systems - runs.tight.certificate.iterations as u64;
+                    runs = Runs::of(runs.tight, tight, before);
+                }
+                Err(refusal) => {
+                    runs.refused = Some(refusal);
+                    break;
+                }
+            }
         }
-        Err(Refusal::NotConverged { what: "the runs of a state", detail: "none was made".into() })
+        Ok(runs)
     }
 
     /// Whether every instant, and the largest tension, differ by less than the wanted accuracy.

@@ -197,6 +197,9 @@ impl FiniteRangePlan {
             let held = end.zip(self.pulling(runs)).is_some_and(|(end, (_, tight))| tight.largest_tension.time >= end.time);
             answer.reason = remarks(&self.timeline.ends, held);
         }
+        if let (Some(refusal), Some(reason)) = (&runs.refused, &mut answer.reason) {
+            reason.push_str(&format!("; a finer solution is refused: {refusal}"));
+        }
     }
 
     /// The tighter value, with the change between both runs as its bound.
