@@ -43,8 +43,9 @@ impl FiniteRangePlan {
         let problem = self.problem()?;
         let accuracy = Accuracy::of_law(self.solver_accuracy, &self.reduced.law);
         let mut mesher = Mesher::new(accuracy.order);
-        let mut solved =
-            |number: u32, accuracy: Accuracy| run_watched(&problem, accuracy, &mut mesher, &mut |part| state_watch.passed(number, part.min(1.0)));
+        let mut solved = |number: u32, accuracy: Accuracy| {
+            run_watched(&problem, accuracy, &mut mesher, &mut |part| state_watch.passed(number, part.min(1.0)))
+        };
         let tighter = accuracy.tightened();
         let mut runs = Runs::of(solved(1, accuracy)?, solved(2, tighter)?, 0);
         let mut accuracy = tighter;
