@@ -17,8 +17,12 @@ const CYCLE: f64 = 22.0;
 const ORDER: f64 = 0.18;
 /// Linear systems of a step of both runs.
 const SYSTEMS: f64 = 60.0;
-/// The same of a law with a hard wall: nodes change sides one by one.
-const WALL: f64 = 6.0;
+/// Times as many for a law with kinks, which takes shorter steps, and for one with a hard wall, where nodes change sides one by one.
+const KINKED: f64 = 6.0;
+const WALL: f64 = 17.0;
+/// Seconds of a system (nodes are many where the law has a hard wall, and more with the inverse of the accuracy, from 1e-3).
+const SECONDS: f64 = 1.4e-5;
+const SECONDS_AT_A_WALL: f64 = 1.6e-4;
 /// Rows of events besides instants.
 const EVENTS: u64 = 64;
 /// Matrices of the nodes alive at a time: of a state, its finer mesh, two earlier states, the Jacobian and its factors.
@@ -45,6 +49,11 @@ impl FiniteRangePlan {
         8 * MATRICES * nodes * nodes + BLOCKS + STEP * self.work_of_a_state().linear_solves / SYSTEMS_A_STEP
     }
 
+    /// Expected seconds of a linear system.
+    pub(super) fn seconds_of_a_system(&self) -> f64 {
+        if self.reduced.law.wall().is_some() { SECONDS_AT_A_WALL * (1e-3 / self.solver_accuracy).max(1.0) } else { SECONDS }
+    }
+
     /// Expected work of one state.
     pub(super) fn work_of_a_state(&self) -> Work {
         let finer = (1e-3 / self.solver_accuracy).powf(ORDER);
@@ -60,8 +69,12 @@ impl FiniteRangePlan {
             };
             (own * finer).max(piece.instants.len() as f64)
         };
-        let wall = if self.reduced.law.wall().is_some() { WALL } else { 1.0 };
-        let systems = wall * SYSTEMS * self.course.pieces.iter().map(steps).sum::<f64>();
+        let law = match (self.reduced.law.wall(), self.reduced.law.is_kinked()) {
+            (Some(_), _) => WALL,
+            (None, true) => KINKED,
+            (None, false) => 1.0,
+        };
+        let systems = law * SYSTEMS * self.course.pieces.iter().map(steps).sum::<f64>();
         let fields = self.indentation.fields.as_ref().map_or(0, |fields| u64::from(fields.points) * fields.times.len() as u64);
         Work { linear_solves: systems.min(MOST).ceil() as u64, field_evaluations: fields, ..Work::default() }
     }

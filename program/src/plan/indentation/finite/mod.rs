@@ -142,6 +142,10 @@ impl ProblemPlan for FiniteRangePlan {
         self.most_rows()
     }
 
+    fn seconds_a_system(&self) -> f64 {
+        self.seconds_of_a_system()
+    }
+
     fn memory_of_a_state(&self) -> u64 {
         self.most_memory()
     }
