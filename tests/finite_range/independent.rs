@@ -135,14 +135,9 @@ fn elastic_lines_and_surfaces_by_tamaas_are_met_within_both_errors() {
         let angle = |i: usize| std::f64::consts::TAU * i as f64 / nodes as f64;
         let height = |x: usize, y: usize| waves.iter().map(|w| w[2] * (w[0] * angle(x) + w[1] * angle(y) + w[3]).cos()).sum();
         let heights = (0..ny).flat_map(|y| (0..nodes).map(move |x| (x, y))).map(|(x, y)| height(x, y)).collect();
-        let problem = Problem {
-            profile: Profile::surface(nodes, ny, 1.0, heights).unwrap(),
-            modulus: Arc::clone(&elastic),
-            speed: 1.0,
-            attraction: Attraction::new(Law::Exponential, row.number("work"), row.number("range")).unwrap(),
-            layer: None,
-            control: Control::MeanGap(row.number("mean_gap")),
-        };
+        let attraction = Attraction::new(Law::Exponential, row.number("work"), row.number("range")).unwrap();
+        let profile = Profile::surface(nodes, ny, 1.0, heights).unwrap();
+        let problem = Problem::new(profile, Arc::clone(&elastic), 1.0, attraction, Control::MeanGap(row.number("mean_gap")));
         let finest = if surface { 512 } else { 8192 };
         let state = solve(&problem, &Request { accuracy: 1e-4, least_nodes: finest, most_nodes: finest }).unwrap();
         assert_within("friction of an elastic body", state.numbers.friction_stress, 0.0, 1e-12);
@@ -162,14 +157,9 @@ fn elastic_lines_and_surfaces_by_tamaas_are_met_within_both_errors() {
 fn a_rough_surface_takes_few_products() {
     let roughness = Roughness { hurst: 0.8, rms_height: 0.35, lowest: 1.0, highest: 8.0, seed: 1 };
     let terms = [CreepTerm { compliance: 0.9, retardation_time: 1.0 }];
-    let problem = Problem {
-        profile: rough(&roughness, false).unwrap(),
-        modulus: modulus_of(&PlaneMaterial::from_creep(10.0, &terms, None).unwrap()).unwrap(),
-        speed: 1.0,
-        attraction: Attraction::new(Law::Exponential, std::f64::consts::TAU * 0.008, 0.1).unwrap(),
-        layer: None,
-        control: Control::MeanPressure(0.2),
-    };
+    let modulus = modulus_of(&PlaneMaterial::from_creep(10.0, &terms, None).unwrap()).unwrap();
+    let attraction = Attraction::new(Law::Exponential, std::f64::consts::TAU * 0.008, 0.1).unwrap();
+    let problem = Problem::new(rough(&roughness, false).unwrap(), modulus, 1.0, attraction, Control::MeanPressure(0.2));
     let state = solve(&problem, &Request { accuracy: 1e-4, least_nodes: 512, most_nodes: 512 }).unwrap();
     let products = state.node_products as f64 / (512.0 * 512.0);
     assert!(products < 160.0, "{products} products");

@@ -55,7 +55,7 @@ fn wave() -> Profile {
 /// One wave, β = 10, exponential law.
 pub(crate) fn usual(speed: f64, gamma: f64, range: f64, control: Control) -> Problem {
     let attraction = Attraction::new(Law::Exponential, TAU * gamma, range).unwrap();
-    Problem { profile: wave(), modulus: standard(10.0), speed, attraction, layer: None, control }
+    Problem::new(wave(), standard(10.0), speed, attraction, control)
 }
 
 fn of_state(state: &Value) -> Problem {

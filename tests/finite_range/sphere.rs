@@ -38,17 +38,7 @@ fn one_term(stiffening: f64) -> Creep {
 }
 
 fn pulled(tabor: f64, creep: Creep, depth: f64, to: f64, rate: f64) -> Problem {
-    let (law, shape) = (Law::LennardJones, Shape::Paraboloid);
-    Problem {
-        law,
-        tabor,
-        shape,
-        creep,
-        start: Start::Relaxed(depth),
-        history: vec![ramp(to, (depth - to) / rate)],
-        instants: Vec::new(),
-        surfaces: Vec::new(),
-    }
+    Problem::new(Law::LennardJones, tabor, creep, Start::Relaxed(depth), vec![ramp(to, (depth - to) / rate)])
 }
 
 fn problem_of(input: &Value) -> Problem {
@@ -67,16 +57,10 @@ fn problem_of(input: &Value) -> Problem {
         fractions: numbers(&input["creep_fractions"]),
         times: numbers(&input["retardation_times"]),
     };
-    Problem {
-        law: Law::LennardJones,
-        tabor: number(&input["mu"]),
-        shape: Shape::Paraboloid,
-        creep,
-        start: if input["start"] == "relaxed" { Start::Relaxed(depth) } else { Start::Unstrained(depth) },
-        history: input["history"].as_array().unwrap().iter().map(leg).collect(),
-        instants: numbers(&input["instants"]),
-        surfaces: Vec::new(),
-    }
+    let start = if input["start"] == "relaxed" { Start::Relaxed(depth) } else { Start::Unstrained(depth) };
+    let history = input["history"].as_array().unwrap().iter().map(leg).collect();
+    let instants = numbers(&input["instants"]);
+    Problem { instants, ..Problem::new(Law::LennardJones, number(&input["mu"]), creep, start, history) }
 }
 
 #[test]

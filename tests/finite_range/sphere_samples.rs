@@ -20,17 +20,7 @@ fn ramp(to: f64, duration: f64) -> Leg {
 }
 
 fn pulled(tabor: f64, creep: Creep, depth: f64, to: f64, rate: f64) -> Problem {
-    let (law, shape) = (Law::LennardJones, Shape::Paraboloid);
-    Problem {
-        law,
-        tabor,
-        shape,
-        creep,
-        start: Start::Relaxed(depth),
-        history: vec![ramp(to, (depth - to) / rate)],
-        instants: Vec::new(),
-        surfaces: Vec::new(),
-    }
+    Problem::new(Law::LennardJones, tabor, creep, Start::Relaxed(depth), vec![ramp(to, (depth - to) / rate)])
 }
 
 /// Pull-off over that of Johnson, Kendall & Roberts.

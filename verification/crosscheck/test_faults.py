@@ -4,6 +4,7 @@
 """
 
 import os
+import subprocess
 import sys
 
 import tools
@@ -25,3 +26,9 @@ def test_every_fault_was_caught_as_it_stands():
     assert not stale, f"changed since they were caught; run python3 verification/faults/run.py --rest: {stale}"
     assert all("panicked at" in row["said"] for row in caught.values())
     tools.SUMMARY.append(f"faults: {len(there)} in the list, all caught")
+
+
+def test_the_list_is_printed_by_the_program_that_puts_faults_in():
+    runner = os.path.join(tools.ROOT, "verification", "faults", "run.py")
+    listed = subprocess.run([sys.executable, runner, "--list"], capture_output=True, text=True, check=True).stdout
+    assert all(fault.name in listed for fault in fault_list.faults())

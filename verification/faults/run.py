@@ -169,9 +169,9 @@ def main():
         file.write(f'#!/bin/sh\nexec "$@" {FLAGS}\n')
     os.chmod(WRAPPER, 0o755)
     print(f"the source as it is: {len({fault.check for fault in chosen})} checks", flush=True)
-    failures = sum(not passes_unharmed(test, name) for test, name in sorted({(fault.test, fault.filter) for fault in chosen}))
-    if failures:
-        sys.exit(f"{failures} checks do not pass on the source as it is")
+    failing = sum(not passes_unharmed(test, name) for test, name in sorted({(fault.test, fault.filter) for fault in chosen}))
+    if failing:
+        sys.exit(f"{failing} checks do not pass on the source as it is")
     survivors = []
     version, today = commit(), datetime.date.today().isoformat()
     for count, fault in enumerate(chosen, 1):

@@ -295,6 +295,12 @@ pub struct Problem {
 }
 
 impl Problem {
+    /// A half-space; on a layer `Problem { layer, ..Problem::new(…) }`.
+    #[must_use]
+    pub fn new(profile: Profile, modulus: Modulus, speed: f64, attraction: Attraction, control: Control) -> Self {
+        Self { profile, modulus, speed, attraction, layer: None, control }
+    }
+
     /// Refuses what has no meaning, before anything is computed.
     ///
     /// # Errors

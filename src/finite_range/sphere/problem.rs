@@ -199,6 +199,12 @@ pub struct Problem {
 }
 
 impl Problem {
+    /// A paraboloid along a history, without wanted instants or surfaces; other fields by `Problem { shape, ..Problem::new(…) }`.
+    #[must_use]
+    pub fn new(law: Law, tabor: f64, creep: Creep, start: Start, history: Vec<Leg>) -> Self {
+        Self { law, tabor, shape: Shape::Paraboloid, creep, start, history, instants: Vec::new(), surfaces: Vec::new() }
+    }
+
     /// The glassy Tabor number.
     #[must_use]
     pub fn glassy_tabor(&self) -> f64 {

@@ -4,7 +4,7 @@ use crate::studies::cells::{number, word};
 use crate::studies::timing::timed;
 use crate::studies::{Check, Column, Effort, Plot, Progress, Section, Table, ours, stored_curve};
 use viscotack::finite_range::law::Law;
-use viscotack::finite_range::sphere::{Accuracy, Control, Creep, Leg, Mesher, Motion, Problem, Shape, Start, run};
+use viscotack::finite_range::sphere::{Accuracy, Control, Creep, Leg, Mesher, Motion, Problem, Start, run};
 use viscotack_program::outcome::plot::{Axis, Figure};
 
 /// Tolerances; the truth is the pull-off of the last run, tighter than all of them.
@@ -94,16 +94,9 @@ impl State {
         if let Some(from) = self.from {
             history.splice(0..0, [ramp(from, self.depth), leg(Motion::Hold(1.0))]);
         }
-        Problem {
-            law: Law::LennardJones,
-            tabor: self.tabor,
-            shape: Shape::Paraboloid,
-            creep: Creep { stiffening: self.stiffening, fractions, times },
-            start: self.from.map_or(Start::Relaxed(self.depth), Start::Unstrained),
-            history,
-            instants: Vec::new(),
-            surfaces: Vec::new(),
-        }
+        let creep = Creep { stiffening: self.stiffening, fractions, times };
+        let start = self.from.map_or(Start::Relaxed(self.depth), Start::Unstrained);
+        Problem::new(Law::LennardJones, self.tabor, creep, start, history)
     }
 }
 

@@ -4,7 +4,7 @@ use crate::studies::cells::{count, number, word};
 use crate::studies::{Check, Column, Section, Table};
 use rayon::prelude::*;
 use viscotack::finite_range::law::Law;
-use viscotack::finite_range::sphere::{Accuracy, Assessed, Control, Creep, Leg, Mesher, Motion, Problem, Shape, Start, assessed};
+use viscotack::finite_range::sphere::{Accuracy, Assessed, Control, Creep, Leg, Mesher, Motion, Problem, Start, assessed};
 
 /// Tolerance of the first run.
 const TOLERANCE: f64 = 1e-4;
@@ -51,16 +51,8 @@ impl Case {
     fn problem(&self) -> Problem {
         let weight = 1.0 / self.terms as f64;
         let times = (0..self.terms).map(|k| 10_f64.powf(0.5 * (k as f64 - 0.5 * (self.terms - 1) as f64))).collect();
-        Problem {
-            law: Law::LennardJones,
-            tabor: self.tabor,
-            shape: Shape::Paraboloid,
-            creep: Creep { stiffening: self.stiffening, fractions: vec![weight; self.terms], times },
-            start: Start::Relaxed(self.start),
-            history: self.legs.clone(),
-            instants: Vec::new(),
-            surfaces: Vec::new(),
-        }
+        let creep = Creep { stiffening: self.stiffening, fractions: vec![weight; self.terms], times };
+        Problem::new(Law::LennardJones, self.tabor, creep, Start::Relaxed(self.start), self.legs.clone())
     }
 }
 

@@ -16,14 +16,8 @@ const STIFFENING: f64 = 10.0;
 
 fn problem(profile: Profile, law: Law, gamma: f64, range: f64, pressure: f64) -> Result<Problem, Refusal> {
     let term = CreepTerm { compliance: 1.0 - 1.0 / STIFFENING, retardation_time: 1.0 };
-    Ok(Problem {
-        profile,
-        modulus: modulus_of(&PlaneMaterial::from_creep(STIFFENING, &[term], None)?)?,
-        speed: 1.0,
-        attraction: Attraction::new(law, TAU * gamma, range)?,
-        layer: None,
-        control: Control::MeanPressure(pressure),
-    })
+    let modulus = modulus_of(&PlaneMaterial::from_creep(STIFFENING, &[term], None)?)?;
+    Ok(Problem::new(profile, modulus, 1.0, Attraction::new(law, TAU * gamma, range)?, Control::MeanPressure(pressure)))
 }
 
 /// A grid of so many nodes along x, whatever its error.

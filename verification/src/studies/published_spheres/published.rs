@@ -3,7 +3,7 @@
 use crate::studies::reference::{Row, rows};
 use spec_math::Gamma;
 use viscotack::finite_range::law::Law;
-use viscotack::finite_range::sphere::{Control, Creep, Leg, Motion, Problem, Shape, Start};
+use viscotack::finite_range::sphere::{Control, Creep, Leg, Motion, Problem, Start};
 
 const KEPT: &str = include_str!("../../../../reference_data/published_spheres.csv");
 /// The public table, if it is there.
@@ -60,16 +60,8 @@ impl Published {
     #[must_use]
     pub fn problem(&self, to: f64) -> Problem {
         let motion = Motion::Ramp { to, duration: (self.preload - to) / self.rate };
-        Problem {
-            law: Law::LennardJones,
-            tabor: self.tabor,
-            shape: Shape::Paraboloid,
-            creep: self.creep(),
-            start: Start::Relaxed(self.preload),
-            history: vec![Leg { control: Control::Penetration, motion }],
-            instants: Vec::new(),
-            surfaces: Vec::new(),
-        }
+        let leg = Leg { control: Control::Penetration, motion };
+        Problem::new(Law::LennardJones, self.tabor, self.creep(), Start::Relaxed(self.preload), vec![leg])
     }
 
     /// The spectrum by the trapezoidal rule in ln τ; what lies below its first node is one term, the others are scaled to the rest.
