@@ -307,6 +307,8 @@ const KINKED_FINER: f64 = 0.3;
 const FORCE_WITH_STEP: f64 = 0.7;
 /// Nodes of an element where the law is kinked.
 const KINKED_ORDER: usize = 6;
+/// Tolerance of a step there over that of a smooth law: nodes that pass a kink look like errors of the step, and the mesh decides.
+const KINKED_STEP: f64 = 3.0;
 /// Tolerance of the mesh there over the relative error, and at most.
 const KINKED_MESH: f64 = 300.0;
 const COARSEST_KINKED_MESH: f64 = 0.1;
@@ -334,7 +336,8 @@ impl Accuracy {
             return smooth;
         }
         let mesh = (KINKED_MESH * smooth.step).clamp(1e-5, COARSEST_KINKED_MESH);
-        Self { order: KINKED_ORDER, most_nodes: KINKED_NODES, mesh, force: KINKED_FORCE * smooth.force, finer: KINKED_FINER, ..smooth }
+        let (step, force) = (KINKED_STEP * smooth.step, KINKED_FORCE * smooth.force);
+        Self { order: KINKED_ORDER, most_nodes: KINKED_NODES, mesh, step, force, finer: KINKED_FINER, ..smooth }
     }
 
     /// Checks every tolerance, and the order against that of the mesher.
