@@ -109,7 +109,7 @@ impl Integration<'_> {
         let first = self.book.record(&self.solver, &self.state);
         let (mut h, mut careful) = (first_step(&drive, end).min(longest), 0);
         let mut usual = h;
-        let (mut remeshed, mut shifted) = (0, 0);
+        let (mut remeshed, mut shifted, mut balanced) = (0, 0, false);
         let mut detached = false;
         let mut known = None;
         while self.state.time < end {
@@ -126,7 +126,7 @@ impl Integration<'_> {
                 if shifted < SHIFTS
                     && let Some(finer) = self.solver.refined_at_edge(&self.state)
                 {
-                    shifted += 1;
+                    (shifted, balanced) = (shifted + 1, false);
                     self.state = finer;
                     continue;
                 }
@@ -144,6 +144,13 @@ impl Integration<'_> {
             };
             let factor = SAFETY * trial.error.max(1e-8).powf(-0.25);
             if trial.error > 1.0 {
+                if trial.odd_beginning
+                    && !std::mem::replace(&mut balanced, true)
+                    && let Some(state) = self.solver.in_equilibrium(&self.state, &drive)
+                {
+                    self.state = state;
+                    continue;
+                }
                 self.book.rejected += 1;
                 h = step * factor.clamp(0.1, 0.9);
                 continue;
@@ -153,12 +160,12 @@ impl Integration<'_> {
                 && flags.contains(&true)
                 && let Some(finer) = self.solver.refined_if(&self.state, &flags)
             {
-                (self.book.refined, remeshed) = (self.book.refined + 1, remeshed + 1);
+                (self.book.refined, remeshed, balanced) = (self.book.refined + 1, remeshed + 1, false);
                 known = Some(trial.stages.carried(&self.state, &finer, self.solver.mesher));
                 self.state = finer;
                 continue;
             }
-            (remeshed, shifted) = (0, 0);
+            (remeshed, shifted, balanced) = (0, 0, false);
             let mut new = trial.state;
             new.time = next.unwrap_or(new.time);
             self.accepted(new, &drive, &mut window)?;

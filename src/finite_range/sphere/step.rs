@@ -33,6 +33,8 @@ const DISPLACEMENT: f64 = 10.0;
 pub(super) struct Trial {
     pub(super) state: State,
     pub(super) error: f64,
+    /// Whether only the force at the beginning, which may be that of a coarser mesh, does not suit the stages.
+    pub(super) odd_beginning: bool,
     pub(super) stages: Stages,
 }
 
@@ -162,17 +164,16 @@ impl<'m> Solver<'m> {
         }
         let gap_error = self.gap_error(&from.mesh, &slopes, &surprise, &z, &mut image);
         let (work, work_error) = work(drive, from, &depths, &forces, h);
-        // The first value may be that of another mesh, which does not fall with the step.
-        let missing = |values: &[f64; STAGES]| {
-            let from = |first: usize| (dot(&extrapolation(first..STAGES - 1, 1.0), values) - values[STAGES - 1]).abs();
-            from(0).min(from(1))
-        };
+        let missing =
+            |values: &[f64; STAGES], first: usize| (dot(&extrapolation(first..STAGES - 1, 1.0), values) - values[STAGES - 1]).abs();
         let tolerance = self.accuracy;
         let scale = (forces[STAGES - 1].abs() / FORCE_SCALE).max(1.0);
         let row = drive.row(from.time);
-        let seen = if row.penetration == 0.0 { missing(&depths) } else { missing(&forces) / (FORCE_SCALE * scale) };
+        let seen =
+            |first: usize| if row.penetration == 0.0 { missing(&depths, first) } else { missing(&forces, first) / (FORCE_SCALE * scale) };
+        let odd_beginning = seen(0) > tolerance.force && seen(1) <= tolerance.force;
         let energy_error = work_error.max(dot(&error_weights(), &viscous).abs());
-        let error = (gap_error / tolerance.step).max(seen / tolerance.force).max(energy_error / (WORK_SCALE * scale * tolerance.step));
+        let error = (gap_error / tolerance.step).max(seen(0) / tolerance.force).max(energy_error / (WORK_SCALE * scale * tolerance.step));
         let rate: Vec<f64> = (0..n).map(|i| (gaps[STAGES - 1][i] - gaps[STAGES - 2][i]) / ((1.0 - TIMES[STAGES - 2]) * h)).collect();
         let depth_rate = (depths[STAGES - 1] - depths[STAGES - 2]) / ((1.0 - TIMES[STAGES - 2]) * h);
         let state = State {
@@ -190,7 +191,14 @@ impl<'m> Solver<'m> {
             released: from.released,
         };
         let stages = Stages { length: h, unknowns: gaps, penetrations: depths };
-        error.is_finite().then_some(Trial { state, error, stages })
+        error.is_finite().then_some(Trial { state, error, odd_beginning, stages })
+    }
+
+    /// A state that was carried to another mesh, in equilibrium there; nothing if none is found.
+    pub(super) fn in_equilibrium(&mut self, state: &State, drive: &Drive) -> Option<State> {
+        let still = vec![0.0; self.chain.terms.len()];
+        let found = self.contact(state, &state.strains, &still, drive.row(state.time), None, (&state.u, state.penetration))?;
+        Some(State { u: found.u, p: found.p, penetration: found.penetration, force: found.force, ..state.clone() })
     }
 
     /// How long the body creeps during a step: not at all in a step at once.
