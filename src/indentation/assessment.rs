@@ -1,7 +1,7 @@
 //! Numbers of an integration with errors, shown by those behind it.
 
 use super::between;
-use super::convergence::{Compared, Ladder};
+use super::convergence::{COMPARED, Compared, Ladder};
 use super::cycle::Cycle;
 use super::problem::IndentationProblem;
 use super::solution::{Energies, Event, IndentationSolution, IndentationWork, Instant, NUMBERS, PathPoint, Trace};
@@ -76,7 +76,9 @@ pub(super) fn compared(problem: &IndentationProblem, integrations: &[Trace], sho
             unbalanced += since.filter_map(|point| point.energies).map(|energies| energies.balance_defect.abs()).sum::<f64>();
             summed = place + 1;
         }
-        let compared = compared.map(|integration| integration.and_then(|integration| integration.path.get(*integration.kept.get(index)?)));
+        let at = |index: usize| compared.map(|trace| trace.and_then(|trace| trace.path.get(*trace.kept.get(index)?)));
+        let neighbours = [index.checked_sub(1), index.checked_add(1)].map(|index| index.map_or([None; COMPARED], at));
+        let compared = at(index);
         // An indenter that flies is where its contact let go.
         let flies = |(event, _): &(&Event<f64>, &[f64; NUMBERS])| event.penetration.to_bits() == point.penetration.to_bits();
         let let_go = integration.events.iter().zip(&integration.unknown_of_events).find(flies).filter(|_| point.contact_radius == 0.0);
@@ -88,6 +90,8 @@ pub(super) fn compared(problem: &IndentationProblem, integrations: &[Trace], sho
             let unresolved = if quantity == INTENSITY { point.intensity_floor() } else { 0.0 };
             let unresolved = if quantity == DISSIPATED { unbalanced } else { unresolved };
             let unresolved = if quantity == 0 { of_its_place } else { unresolved };
+            let numbers = |compared: Compared<&PathPoint>| compared.map(|point| point.map(of));
+            let unresolved = unresolved + ladder.of_neighbours(numbers(compared), neighbours.map(numbers));
             let error = ladder.error(compared.map(|point| point.map(of))) + unresolved + ROUNDING * value.abs() + digits;
             if let Some(scale) = scale {
                 excess.hear(error, problem.accuracy * scale);

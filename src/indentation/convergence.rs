@@ -15,8 +15,9 @@ pub(super) const COMPARED: usize = BEHIND + 2;
 /// random spheres at eleven tolerances.
 const SAFETY_FACTOR: f64 = 300.0;
 
-/// Error of a number of the finest path by panels, at most, over the change of the one before to it: the larger of that change itself and of what the change of a
-/// path looser still, over the reduction observed, makes one expect where the two agree by accident.
+/// Error of a number of the finest path by panels, at most, over what is expected of it: the change of the one before to it, or of the looser one over one reduction
+/// more, reduced again for every tenth of a tolerance to the finest but one. Errors swing through zero along a path, where all paths may agree: the changes are the
+/// largest of the number and of its neighbours.
 const OF_PANELS: f64 = 4.0;
 
 /// The same of each integration that is compared, the finest first; none where there is none.
@@ -46,13 +47,31 @@ impl Ladder {
         }
         let reported = values.get(self.reported).copied().flatten();
         let change = reported.map_or(f64::INFINITY, |value| (value - finest).abs());
-        if let Some(reduction) = self.reduction {
-            let looser = values.get(self.reported + 1).copied().flatten();
-            let changes =
-                looser.zip(reported).map_or(f64::INFINITY, |(looser, reported)| (looser - finest).abs().max((looser - reported).abs()));
-            return change + OF_PANELS * change.max(reduction * changes);
+        if self.reduction.is_some() {
+            return change + self.of_finest(self.expected(&values).unwrap_or(f64::INFINITY));
         }
         guess.map_or(f64::INFINITY, |guess| change + SAFETY_FACTOR * guess)
+    }
+
+    /// What the neighbours of a number along a path by panels add to its bound; nothing to what is imposed, which is exact.
+    pub(super) fn of_neighbours(&self, values: Compared<f64>, neighbours: [Compared<f64>; 2]) -> f64 {
+        let Some(own) = self.expected(&values).filter(|own| *own > 0.0) else { return 0.0 };
+        let most = neighbours.iter().filter_map(|neighbour| self.expected(neighbour)).fold(own, f64::max);
+        self.of_finest(most - own)
+    }
+
+    /// Error of a number of the finest path by panels, by the change expected of the number reported.
+    fn of_finest(&self, expected: f64) -> f64 {
+        let [finest, reported] = [0, self.reported].map(|place| self.tolerances.get(place).copied().flatten().unwrap_or(1.0));
+        let tenths = ((finest / reported).ln() / TIGHTER.ln() - 1.0).max(0.0);
+        OF_PANELS * self.reduction.map_or(0.0, |reduction| reduction.powf(tenths)) * expected
+    }
+
+    /// Change of the number reported to the finest, or what that of a looser path makes one expect of it.
+    fn expected(&self, values: &Compared<f64>) -> Option<f64> {
+        let [finest, reported, looser] = [0, self.reported, self.reported + 1].map(|place| values.get(place).copied().flatten());
+        let (finest, reported, looser, reduction) = (finest?, reported?, looser?, self.reduction?);
+        Some((reported - finest).abs().max(reduction * (looser - finest).abs().max((looser - reported).abs())))
     }
 }
 
@@ -89,6 +108,23 @@ mod tests {
     fn errors_that_do_not_fall_are_in_the_change() {
         let tight = Ladder { tolerances: [Some(1e-9), Some(1e-7), Some(1e-5), None], ..LADDER };
         assert!(tight.error([Some(1.0 - 1e-7), Some(1.0 - 1e-7), Some(1.0 + 1e-7), None]) > 2e-7);
+    }
+
+    /// Paths by panels at 1e-8, 1e-6 and 1e-5, the middle one given, of which each tenth of a tolerance takes half of the error.
+    #[test]
+    fn paths_that_agree_by_accident_have_the_bounds_of_their_neighbours() {
+        let ladder = |finest| Ladder { tolerances: [Some(finest), Some(1e-6), Some(1e-5), None], reported: 1, reduction: Some(0.5) };
+        let values = |errors: [f64; 3]| [Some(1.0 + errors[0]), Some(1.0 + errors[1]), Some(1.0 + errors[2]), None];
+        let (agree, differ) = (values([1e-9, 1.1e-9, 0.9e-9]), values([0.0, 1e-8, 1e-8]));
+        assert!(ladder(1e-8).error(agree) < 1e-9);
+        // 4·½ of what the one beside changes by, beyond its own.
+        let beside = ladder(1e-8).of_neighbours(agree, [differ, agree]);
+        assert!((beside - 2.0 * (1e-8 - 1e-10)).abs() < 1e-14, "{beside:e}");
+        // Where rounding allows a finest path of one tenth only, none of it is left out.
+        let near = ladder(1e-7).of_neighbours(agree, [agree, differ]);
+        assert!((near - 2.0 * beside).abs() < 1e-14, "{near:e}");
+        // What is imposed is exact.
+        assert_eq!(ladder(1e-8).of_neighbours(values([0.0; 3]), [differ, differ]).to_bits(), 0.0_f64.to_bits());
     }
 
     #[test]

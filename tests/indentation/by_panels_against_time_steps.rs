@@ -11,10 +11,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout, missing_docs)]
 
 use std::time::Instant;
-use viscotack::indentation::by_panels::solve_by_panels;
+use viscotack::indentation::by_panels::{PanelOptions, path_by_panels, solve_by_panels};
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Oscillation, Profile, run};
 use viscotack::material::CreepTerm;
-use viscotack::{PlaneMaterial, Refusal};
+use viscotack::{Estimate, PlaneMaterial, Refusal};
 
 /// Uniform numbers of a linear congruential generator (Knuth's MMIX constants).
 struct Draw(u64);
@@ -133,6 +133,49 @@ fn panels_and_time_steps_agree_on_every_shape_under_controls_that_change() {
     compared(12, &mut Draw(20_261_126), changing);
 }
 
+/// Bounds at 1e-3 beside paths of a thousandth of the tolerance. Of the first scenes all three paths agree by accident at an instant, of the others two share most of
+/// their error of an event.
+#[test]
+fn bounds_cover_what_far_tighter_paths_show() {
+    let mut widths = Vec::new();
+    for (seed, number) in [(7_002, 4), (7_002, 8), (8_001, 58), (8_001, 0), (8_001, 4), (9_001, 1), (9_001, 2), (9_001, 3)] {
+        let mut draw = Draw(1_000_003 * seed + 7_919 * number);
+        (0..5).for_each(|_| drop(draw.unit()));
+        let (name, material, problem) = scene(&mut draw);
+        let found = solve_by_panels(&material, &IndentationProblem { accuracy: 1e-3, ..problem.clone() }).unwrap();
+        let tighter = |by: f64| {
+            let options = PanelOptions { degree: 7, tolerance: by * found.integration.tolerance };
+            path_by_panels(&material, &problem, options).unwrap()
+        };
+        let truths = [tighter(1e-3), tighter(3.16e-3)];
+        let mut covers = |what: &str, estimate: Estimate, [truth, other]: [f64; 2]| {
+            // What the truth itself leaves unknown.
+            let unknown = (truth - other).abs() + 1e-11 * estimate.value.abs();
+            let off = (estimate.value - truth).abs();
+            assert!(off <= estimate.error + unknown, "{name} {seed} {number}: {what} {estimate:?}, off by {off:e} ± {unknown:e}");
+            if off > 3.0 * unknown {
+                widths.push(estimate.error / off);
+            }
+        };
+        for (k, instant) in found.instants.iter().enumerate() {
+            let points = truths.each_ref().map(|truth| truth.path[truth.kept[k]]);
+            covers("penetration", instant.penetration, points.map(|point| point.penetration));
+            covers("force", instant.force, points.map(|point| point.force));
+            covers("radius", instant.contact_radius, points.map(|point| point.contact_radius));
+            covers("K", instant.stress_intensity_factor, points.map(|point| point.stress_intensity_factor));
+        }
+        for (k, event) in found.events.iter().enumerate() {
+            let events = truths.each_ref().map(|truth| truth.events[k]);
+            covers("time of an event", event.time, events.map(|event| event.time));
+            covers("penetration of an event", event.penetration, events.map(|event| event.penetration));
+            covers("force of an event", event.force, events.map(|event| event.force));
+        }
+    }
+    widths.sort_by(f64::total_cmp);
+    println!("{} values, bound over error {:.2} at least, {:.1} in the median", widths.len(), widths[0], widths[widths.len() / 2]);
+    assert!(widths.len() > 100 && widths[widths.len() / 2] < 10.0);
+}
+
 fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'static str, PlaneMaterial, IndentationProblem)) {
     let scenes: usize = std::env::var("VISCOTACK_SCENES").ok().and_then(|count| count.parse().ok()).unwrap_or(usual);
     let (mut ratios, mut failures, mut values) = (Vec::new(), Vec::new(), 0_u32);
@@ -169,7 +212,7 @@ fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'stati
             let radius = (row.contact_radius.value - instant.contact_radius.value).abs();
             let force = (row.force.value - instant.force.value).abs();
             values += 2;
-            // Of one power law (scene 9) both differ by 3e-9, beyond both bounds; which of them is wrong is not known (named gaps).
+            // On power laws time steps are off by up to 4e-9, outside their bounds (named gaps; `a_step_back_from_a_relaxed_contact_is_that_of_plain_quadrature`).
             let rest = if matches!(problem.profile, Profile::PowerLaw { .. }) { 1e-8 } else { 1e-9 };
             let excess = [
                 radius / (row.contact_radius.error + instant.contact_radius.error + rest * instant.contact_radius.value),

@@ -173,8 +173,7 @@ fn elastic_solids_are_in_equilibrium_at_every_instant() {
         }
     }
     println!("elastic: {values} values of {} scenes, at most {worst:.2} of the bounds", scenes - refused);
-    // One that oscillates does not converge beside its last turn (named gaps).
-    assert!(20 * refused <= scenes, "{refused}");
+    assert_eq!(refused, 0);
 }
 
 fn wanted(usual: usize) -> usize {
@@ -201,6 +200,11 @@ fn fine_area(profile: &Profile, a: f64) -> f64 {
 
 /// C = (1/π²δ) ∫₀^δ dy D(a+δ−y) {−Q(0)k(δ−y, 0) − ∫₀^y Q′ k dy′}, k = K(m)/√((a−ξ)(a+η)), of Q = E(Δ − f), by Gauss nodes in both.
 fn raw_closure(profile: &Profile, modulus: f64, zone: f64, a: f64, depth: f64) -> f64 {
+    raw_closure_of(profile, (zone, a), (modulus, modulus * (depth - profile.line(a))), &[0.0, zone], |s| profile.line(s) - depth)
+}
+
+/// The same of a bonded side of modulus and pressure at the edge, and of a gap that is smooth between borders of the zone.
+fn raw_closure_of(profile: &Profile, (zone, a): (f64, f64), (modulus, load): (f64, f64), borders: &[f64], gap: impl Fn(f64) -> f64) -> f64 {
     let elliptic = |m: f64| {
         let (mut x, mut y) = (1.0_f64, (1.0 - m).sqrt());
         for _ in 0..8 {
@@ -211,14 +215,48 @@ fn raw_closure(profile: &Profile, modulus: f64, zone: f64, a: f64, depth: f64) -
     let kernel =
         |eta: f64, xi: f64| elliptic((zone * zone - (eta + xi).powi(2)) / (4.0 * (a - xi) * (a + eta))) / ((a - xi) * (a + eta)).sqrt();
     let mut sum = 0.0;
-    for (x, weight) in UNIT_RULE_20.iter() {
-        let y = zone * x;
-        let inner: f64 =
-            UNIT_RULE_20.iter().map(|(x, weight)| weight * y * modulus * profile.line_slope(a - y * x) * kernel(zone - y, y * x)).sum();
-        let load = modulus * (depth - profile.line(a));
-        sum += weight * zone * (profile.line(a + zone - y) - depth) * (-load * kernel(zone - y, 0.0) - inner);
+    for pair in borders.windows(2) {
+        let wide = pair[1] - pair[0];
+        for (x, weight) in UNIT_RULE_20.iter() {
+            let y = pair[0] + wide * x;
+            let slope = |x: f64| y * modulus * profile.line_slope(a - y * x);
+            let inner: f64 = UNIT_RULE_20.iter().map(|(x, weight)| weight * slope(*x) * kernel(zone - y, y * x)).sum();
+            sum += weight * wide * gap(a + zone - y) * (-load * kernel(zone - y, 0.0) - inner);
+        }
     }
     sum / (std::f64::consts::PI.powi(2) * zone)
+}
+
+/// A relaxed contact moved back at once: what lets go answers with E∞, so that both sides of the edge are known in closed form, with a jump where the old edge was.
+/// C = Δγ by plain quadrature, broken there, and F of the springs, to 1e-11. Time steps are off by up to 6e-10 where the exponent is not 2.
+#[test]
+fn a_step_back_from_a_relaxed_contact_is_that_of_plain_quadrature() {
+    let (stiffening, work, zone) = (30.0, 1.15e-4, 4.2e-3);
+    let (before, after) = (0.029_764_7, 0.028_2);
+    let material = PlaneMaterial::standard_solid(1.0, stiffening, 1.2).unwrap();
+    for exponent in [1.5, 2.0, 3.095_646_753_349_902] {
+        let profile = Profile::PowerLaw { coefficient: 0.02 / 0.14_f64.powf(exponent), exponent };
+        let adhesion = Adhesion { work_of_adhesion: work, process_zone: zone };
+        let history = History::penetration(before).step(after).hold(0.3);
+        let problem = IndentationProblem::new(profile.clone(), Some(adhesion), history).relaxed();
+        let found = solve_by_panels(&material, &problem).unwrap();
+        let [first, then] = [0, 1].map(|k| found.instants[k]);
+        let old = first.contact_radius.value;
+        let load = |s: f64| before - profile.line(s) + stiffening * (after - before);
+        let closure = |a: f64| {
+            let gap = |s: f64| if s > old { profile.line(s) - after } else { -load(s) / stiffening };
+            let border = (a + zone - old).clamp(0.0, zone);
+            raw_closure_of(&profile, (zone, a), (1.0, load(a)), &[0.0, border, zone], gap)
+        };
+        let slope = |end: &dyn Fn(f64) -> f64| (end(1.0 + 1e-6) - end(1.0 - 1e-6)).abs() / 2e-6;
+        let relaxed = |a: f64| raw_closure(&profile, 1.0, zone, a, before);
+        let a = then.contact_radius.value;
+        let miss = [(relaxed(old) - work) / slope(&|part| relaxed(part * old)), (closure(a) - work) / slope(&|part| closure(part * a))];
+        let force = 2.0 * (a * before - area(&profile, a) + stiffening * a * (after - before));
+        let off = then.force.value / force - 1.0;
+        println!("exponent {exponent}: radii off by {miss:?}, force by {off:e}");
+        assert!(a < 0.99 * old && a > old - zone && miss.iter().all(|miss| miss.abs() < 1e-11) && off.abs() < 1e-11);
+    }
 }
 
 /// Ramps of the radius to and fro, holds of it, and ramps of the penetration between.

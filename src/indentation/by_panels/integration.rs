@@ -179,7 +179,9 @@ impl<'a> Integration<'a> {
             let held = still && self.branch.is_held();
             // Held, everything relaxes. However little an edge goes it has another K than one that rests: it is followed, down to rounding or where panels end.
             let least = if self.refusals >= PATIENCE && self.state.is_none() { tolerance } else { REST * zone };
-            if outset.speed == 0.0 || held && outset.speed.abs() * left <= least || self.is_idle(outset.speed * left) {
+            // What is left of a segment may be rounding, if the last panel ended on a kink there.
+            let brief = still && left <= REST * (self.branch.end - self.branch.start) && outset.speed.abs() * left <= REST * zone;
+            if outset.speed == 0.0 || brief || held && outset.speed.abs() * left <= least || self.is_idle(outset.speed * left) {
                 return self.rests(left);
             }
             if held && self.state.is_none() && self.refusals >= PATIENCE && self.stays(left, tolerance) {

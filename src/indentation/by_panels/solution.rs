@@ -1,10 +1,7 @@
-//! A history with error bounds, from three paths, each of a tenth of the tolerance of the one before, the last one of two degrees more as well. The middle one is
-//! given. Its distance to the finest is its error but for that of the finest, which is bounded by that distance as well, or by what the loosest one makes one
-//! expect: its own distance, reduced by what the distances of all quantities fall from one path to the next. Paths are followed at tolerances that fall until the
-//! bounds meet the accuracy.
-//!
-//! Not the finest path is given, although it is closer: its error is some thirty times less than any distance, by much more or less, so that a bound that covers
-//! is more than a hundred times what is true.
+//! A history with error bounds, from three paths: the one that is given, one of ten times its tolerance, and one of two degrees more and a hundredth of it. The
+//! distance of the given one to the finest is its error but for that of the finest. The finest errs by no more than the distances, by what they fall when a tolerance
+//! falls to a tenth, make one expect. Errors swing through zero along a path, so that neighbouring instants count as well. Paths are followed at tolerances that fall
+//! until the bounds meet the accuracy.
 
 use super::checkpoint::{IntegrationState, PanelObserver, PanelsState, PathsState};
 use super::energies::{Energies as Stored, TurnedOver};
@@ -23,6 +20,8 @@ pub(super) const LOOSEST: f64 = 3e-4;
 /// Each tolerance over the one before, and the last.
 pub(super) const TIGHTER: f64 = 0.1;
 pub(super) const TIGHTEST: f64 = 1e-8;
+/// Tolerance of the finest path at least: below it rounding decides.
+const FINEST: f64 = 1e-9;
 /// Why a path that touches again may not go on.
 const TOUCHES_AGAIN: &str =
     "the surfaces touch again away from the axis, under a given radius, or with no contact wider than a process zone";
@@ -109,11 +108,11 @@ fn not_converged(detail: String) -> Refusal {
     Refusal::NotConverged { what: "the path of the edge by panels", detail }
 }
 
-/// Of the finest path, the one that is given and the loosest.
-pub(super) fn options(tolerance: f64) -> [PanelOptions; 3] {
+/// Of the finest path, the one that is given and the loosest; `closer`: tolerance of the finest over that of the one given.
+pub(super) fn options(tolerance: f64, closer: f64) -> [PanelOptions; 3] {
     let degree = if tolerance < HIGH_DEGREE { 7 } else { 5 };
     let option = |degree, tolerance| PanelOptions { degree, tolerance };
-    [option(degree + 2, TIGHTER * tolerance), option(degree, tolerance), option(degree, tolerance / TIGHTER)]
+    [option(degree + 2, (closer * tolerance).max(FINEST)), option(degree, tolerance), option(degree, tolerance / TIGHTER)]
 }
 
 /// The paths of one tolerance: the finest, the given one, the loosest.
@@ -125,7 +124,7 @@ fn round(
     watch: Option<&dyn Watch>,
 ) -> Result<(), Refusal> {
     // The given one first: what it is refused for, all are.
-    let [finest, given, loosest] = options(run.tolerance);
+    let [finest, given, loosest] = options(run.tolerance, TIGHTER * TIGHTER);
     for options in [given, finest, loosest].into_iter().skip(run.traces.len()) {
         let observer = watch.map(|watch| PanelObserver { watch, run });
         let outcome = integrated_from(material, problem, options, (instants, false), &run.stops, (integration.take(), observer))?;
@@ -154,7 +153,7 @@ fn solution_of(problem: &IndentationProblem, traces: &[Trace], work: Indentation
     Ok(IndentationSolution { by_panels: true, ..compared.solution(work) })
 }
 
-/// What the distance of the middle path to the finest is over that of the loosest, over all numbers of all instants kept, each over its scale; at most one.
+/// What the distance of the middle path to the finest is over that of the loosest: the geometric mean over all numbers of all instants kept.
 fn reduction(traces: &[Trace]) -> f64 {
     let numbers = |trace: &Trace| -> Vec<[f64; 8]> {
         let points = trace.kept.iter().filter_map(|place| trace.path.get(*place));
@@ -168,16 +167,18 @@ fn reduction(traces: &[Trace]) -> f64 {
     };
     let numbers: Vec<_> = traces.iter().map(numbers).collect();
     let [finest, given, loosest] = numbers.as_slice() else { return 1.0 };
-    let mut sums = [0.0_f64; 2];
-    for quantity in 0..8 {
-        let of = |row: &[f64; 8]| row.get(quantity).copied().unwrap_or(0.0);
-        let scale = finest.iter().map(|row| of(row).abs()).fold(f64::MIN_POSITIVE, f64::max);
-        for (sum, rows) in sums.iter_mut().zip([given, loosest]) {
-            *sum += rows.iter().zip(finest).map(|(row, fine)| ((of(row) - of(fine)) / scale).powi(2)).sum::<f64>();
+    // Of each number alike, by its logarithm: a few that a loose path has missed by far do not tell how far the others are off.
+    let (mut sum, mut count) = (0.0_f64, 0_u32);
+    for ((fine, row), loose) in finest.iter().zip(given).zip(loosest) {
+        for ((fine, value), loose) in fine.iter().zip(row).zip(loose) {
+            let (near, far) = ((value - fine).abs(), (loose - fine).abs());
+            if near > 0.0 && far > 0.0 {
+                (sum, count) = (sum + (near / far).ln(), count + 1);
+            }
         }
     }
-    let reduction = (sums[0] / sums[1]).sqrt();
-    if reduction < 1.0 { reduction } else { 1.0 }
+    // No path is closer than its tolerance promises.
+    if count == 0 { 1.0 } else { (sum / f64::from(count)).exp().clamp(TIGHTER, 1.0) }
 }
 
 /// The contact at a time of a history that has been solved here, and its surface by both paths, the better one first.
@@ -187,7 +188,7 @@ pub(in crate::indentation) fn surface_at(
     solved: &Trace,
     time: f64,
 ) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
-    let [high, low, _] = options(solved.tolerance);
+    let [high, low, _] = options(solved.tolerance, TIGHTER * TIGHTER);
     let asked = as_planned(problem, &solved.shortened, time);
     let mut found = Vec::new();
     for options in [high, low] {

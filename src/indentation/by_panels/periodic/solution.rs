@@ -217,7 +217,7 @@ fn compared(
     near: &mut Option<ClosedPath>,
     work: &mut IndentationWork,
 ) -> Result<PeriodicState, Refusal> {
-    let [high, low, _] = options(tolerance);
+    let [high, low, _] = options(tolerance, TIGHTER);
     let coarse = found(material, problem, (sinus, period), (low, instants), near.as_ref(), work)?;
     let fine = found(material, problem, (sinus, period), (high, instants), Some(&coarse.settled.path), work)?;
     *near = Some(fine.settled.path.clone());
