@@ -266,6 +266,23 @@ fn the_pull_off_just_before_a_fold_is_known_to_the_tolerance() {
     }
 }
 
+/// On a coarse mesh the state before a fold may have no equilibrium near it, and every step, however short, lands far away.
+#[test]
+fn what_is_lost_beyond_a_fold_is_booked_on_every_mesh() {
+    let law = Law::Dugdale { ramp: 0.2 };
+    let problem = Problem { law: law.clone(), ..pulled(3.1933, one_term(10.0), 10.0 / 3.0, -20.0 / 3.0, 50.0 / 3.0) };
+    let attraction = viscotack::finite_range::law::Attraction::new(law, 1.0, 1.0).unwrap();
+    let mut accuracy = Accuracy::of_law(1e-3, &attraction);
+    for _ in 0..4 {
+        let found = run(&problem, accuracy, &mut Mesher::new(accuracy.order)).unwrap();
+        let certificate = found.certificate;
+        assert!(certificate.energy_residual < 1e-3 * certificate.energy_scale, "{certificate:?}");
+        let released = found.jumps.iter().map(|jump| jump.released).sum::<f64>();
+        assert!(found.jumps.len() == 1 && (released / 3.136 - 1.0).abs() < 0.01, "{:?}", found.jumps);
+        accuracy = accuracy.tightened();
+    }
+}
+
 #[test]
 fn what_is_not_allowed_is_refused() {
     let mut mesher = Mesher::new(ORDER);

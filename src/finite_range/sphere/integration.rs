@@ -121,16 +121,35 @@ impl Integration<'_> {
                 });
             }
             let (step, next) = self.bounded(h, end);
-            let Some(trial) = self.solver.step_again(&self.state, &drive, step, known.take().as_ref()) else {
-                self.book.failed += 1;
-                if shifted < SHIFTS
-                    && let Some(finer) = self.solver.refined_at_edge(&self.state)
-                {
-                    (shifted, balanced) = (shifted + 1, false);
-                    self.state = finer;
-                    continue;
+            let trial = match self.solver.step_again(&self.state, &drive, step, known.take().as_ref()) {
+                Some(trial) if trial.error <= 1.0 => Some(trial),
+                Some(trial) => {
+                    if trial.odd_beginning
+                        && !std::mem::replace(&mut balanced, true)
+                        && let Some(state) = self.solver.in_equilibrium(&self.state, &drive)
+                    {
+                        self.state = state;
+                        continue;
+                    }
+                    self.book.rejected += 1;
+                    h = step * (SAFETY * trial.error.powf(-0.25)).clamp(0.1, 0.9);
+                    None
                 }
-                (h, careful, shifted) = (0.25 * step, CAREFUL_STEPS, 0);
+                None => {
+                    self.book.failed += 1;
+                    if shifted < SHIFTS
+                        && let Some(finer) = self.solver.refined_at_edge(&self.state)
+                    {
+                        (shifted, balanced) = (shifted + 1, false);
+                        self.state = finer;
+                        continue;
+                    }
+                    (h, careful, shifted) = (0.25 * step, CAREFUL_STEPS, 0);
+                    None
+                }
+            };
+            let Some(trial) = trial else {
+                // However short, the step has no solution, or one far away.
                 let part = (FOLD_PER_ACCURACY * self.solver.accuracy.step).clamp(FOLD[0], FOLD[1]);
                 let fold = if leg.control == Control::Force { FOLD_OF_FORCE } else { part };
                 if h < fold * usual || self.state.time + h <= self.state.time {
@@ -143,18 +162,6 @@ impl Integration<'_> {
                 continue;
             };
             let factor = SAFETY * trial.error.max(1e-8).powf(-0.25);
-            if trial.error > 1.0 {
-                if trial.odd_beginning
-                    && !std::mem::replace(&mut balanced, true)
-                    && let Some(state) = self.solver.in_equilibrium(&self.state, &drive)
-                {
-                    self.state = state;
-                    continue;
-                }
-                self.book.rejected += 1;
-                h = step * factor.clamp(0.1, 0.9);
-                continue;
-            }
             let flags = self.solver.unresolved(&trial.state);
             if remeshed < REMESHES
                 && flags.contains(&true)

@@ -18,7 +18,7 @@ const SOFTEST: f64 = 1e-9;
 /// The surfaces count as parted for good when the smallest gap is this far past the largest tension.
 const PARTED: f64 = 4.0;
 /// A change of the gap (in h₀) that makes a step a jump.
-const JUMPED: f64 = 0.05;
+pub(super) const JUMPED: f64 = 0.05;
 /// After a third of the step changed less than that, a steady state changes less than so many times it.
 const STEADY: f64 = 4.0;
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::chain::{Chain, DIAGONAL, ROWS, STAGES, TIMES, WEIGHTS, dot, error_weights, extrapolation};
 use super::drive::{Drive, work};
+use super::jump::JUMPED;
 use super::mesh::{Mesh, Mesher};
 use super::newton::{Contact, Equation, Newton, Row};
 use super::problem::{Accuracy, Problem};
@@ -194,11 +195,13 @@ impl<'m> Solver<'m> {
         error.is_finite().then_some(Trial { state, error, odd_beginning, stages })
     }
 
-    /// A state that was carried to another mesh, in equilibrium there; nothing if none is found.
+    /// A state that was carried to another mesh, in equilibrium there; nothing if none is found near it.
     pub(super) fn in_equilibrium(&mut self, state: &State, drive: &Drive) -> Option<State> {
         let still = vec![0.0; self.chain.terms.len()];
         let found = self.contact(state, &state.strains, &still, drive.row(state.time), None, (&state.u, state.penetration))?;
-        Some(State { u: found.u, p: found.p, penetration: found.penetration, force: found.force, ..state.clone() })
+        let moved = |(&new, &old): (&f64, &f64)| (self.surface.gap(new) - self.surface.gap(old)).abs();
+        let far = found.u.iter().zip(&state.u).map(moved).any(|change| change > JUMPED);
+        (!far).then(|| State { u: found.u, p: found.p, penetration: found.penetration, force: found.force, ..state.clone() })
     }
 
     /// How long the body creeps during a step: not at all in a step at once.
