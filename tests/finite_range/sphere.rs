@@ -266,6 +266,22 @@ fn the_pull_off_just_before_a_fold_is_known_to_the_tolerance() {
     }
 }
 
+/// A force that a coarser mesh left must not make every later step look wrong, however short.
+#[test]
+fn a_cone_with_a_kinked_law_is_not_stopped_by_a_new_mesh() {
+    let creep = Creep { stiffening: 186.7, fractions: vec![0.2153, 0.6546, 0.1301], times: vec![0.0484, 0.788, 20.3] };
+    let problem = Problem {
+        shape: Shape::Power { coefficient: 1.5778, exponent: 1.0 },
+        ..Problem::new(Law::Cosine, 0.5197, creep, Start::Unstrained(-8.0), vec![ramp(14.85, 0.01017), ramp(-10.0, 5364.0)])
+    };
+    let attraction = viscotack::finite_range::law::Attraction::new(Law::Cosine, 1.0, 1.0).unwrap();
+    for mesh in [0.1, 0.03, 0.003] {
+        let accuracy = Accuracy { mesh, budget: 2000, ..Accuracy::of_law(1e-3, &attraction) };
+        let found = run(&problem, accuracy, &mut Mesher::new(accuracy.order)).unwrap();
+        assert!((found.pull_off_force() / 3.2055 - 1.0).abs() < 2e-3, "{mesh}: {}", found.pull_off_force());
+    }
+}
+
 /// On a coarse mesh the state before a fold may have no equilibrium near it, and every step, however short, lands far away.
 #[test]
 fn what_is_lost_beyond_a_fold_is_booked_on_every_mesh() {

@@ -140,7 +140,7 @@ fn bounds_cover_what_far_tighter_paths_show() {
     let mut widths = Vec::new();
     for (seed, number) in [(7_002, 4), (7_002, 8), (8_001, 58), (8_001, 0), (8_001, 4), (9_001, 1), (9_001, 2), (9_001, 3)] {
         let mut draw = Draw(1_000_003 * seed + 7_919 * number);
-        (0..5).for_each(|_| drop(draw.unit()));
+        (0..5).for_each(|_| _ = draw.unit());
         let (name, material, problem) = scene(&mut draw);
         let found = solve_by_panels(&material, &IndentationProblem { accuracy: 1e-3, ..problem.clone() }).unwrap();
         let tighter = |by: f64| {
