@@ -5,7 +5,7 @@
 //! what happens is no matter of accuracy. The values are those of the finest: of third order in the step, with a coefficient that is the same in all runs, as lines,
 //! starts, arrests and kinks are nodes of all of them. Where both ratios of neighbouring differences are near 8, the error is a seventh of the last difference and the
 //! bound is that difference; where the last ratio is of that kind, five times as much. No difference counts as less than third order would make of the ones before: two
-//! runs may agree by chance. Elsewhere (a term whose place ẋ₀τ is about a line, runs that tell different stories) the bound is two and a half times
+//! runs may agree by chance. In all other cases (a term whose place ẋ₀τ is about a line, runs of different events) the bound is two and a half times
 //! the greatest of the
 //! differences, the first one taken as a sixteenth.
 //!

@@ -197,8 +197,9 @@ impl FiniteRangePlan {
             let held = end.zip(self.pulling(runs)).is_some_and(|(end, (_, tight))| tight.largest_tension.time >= end.time);
             answer.reason = remarks(&self.timeline.ends, held);
         }
-        if let (Some(refusal), Some(reason)) = (&runs.refused, &mut answer.reason) {
-            reason.push_str(&format!("; a finer solution is refused: {refusal}"));
+        if let Some(refusal) = &runs.refused {
+            let before = answer.reason.take().map_or_else(String::new, |reason| format!("{reason}; "));
+            answer.reason = Some(format!("{before}a finer solution is refused: {refusal}"));
         }
     }
 
