@@ -2,10 +2,12 @@
 
 use super::kept_surface::Surface;
 use super::mesh::Mesher;
+use super::newton::Row;
 use super::problem::{Accuracy, Control, Motion, Problem, Start};
 use super::result::{Certificate, Jump, LANDED, LegSummary, Record, Run, SUM_OF_DURATIONS};
 use super::state::{Energies, State};
 use super::step::Solver;
+use super::zero_range::ZeroRange;
 use crate::refusal::Refusal;
 
 /// The contact must stay within this part of the mesh.
@@ -91,8 +93,17 @@ impl Book {
         self.steps += 1;
         self.nodes = self.nodes.max(state.mesh.nodes());
         let row = self.record(solver, state);
-        if !row.residual.is_finite() || row.contact_radius > INSIDE * state.mesh.radius() {
+        if !row.residual.is_finite() || row.contact_radius > INSIDE * state.mesh.radius() && !solver.surface.ends_at(state.mesh.radius()) {
             return Err(Refusal::out_of_range("contact radius", row.contact_radius, "well inside the mesh"));
+        }
+        if let Some(end) = solver.surface.known_to()
+            && row.contact_radius > end
+        {
+            return Err(Refusal::NoSuchState {
+                reason: format!("the contact reaches out to {:e}, where the table has no shape", row.contact_radius),
+                limit_name: "the radius of its last point",
+                limit: end,
+            });
         }
         self.rows.push(row);
         self.keep_surface(solver, state);
@@ -152,7 +163,8 @@ impl Book {
 
 /// An upper estimate of the penetrations of the history.
 fn deepest(problem: &Problem) -> f64 {
-    let of_force = |force: f64| (0.75 * problem.tabor.powf(1.5) * force.max(0.0)).powf(2.0 / 3.0);
+    let contact = ZeroRange::of(problem, 1.0);
+    let of_force = |value: f64| contact.depth(Row { penetration: 0.0, force: 1.0, value: value.max(0.0) });
     let mut now = match problem.start {
         Start::Relaxed(depth) | Start::Unstrained(depth) => depth,
         Start::Held { control: Control::Force, value, .. } => of_force(value),

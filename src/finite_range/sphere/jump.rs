@@ -9,8 +9,12 @@ use super::state::State;
 use super::step::Solver;
 use crate::refusal::Refusal;
 
-/// Steps of pseudo-time after which the search is given up.
-const DESCENT_STEPS: usize = 1000;
+/// Steps of pseudo-time after which the search is given up: a front that crosses a flat face takes one for a part of its own width.
+const DESCENT_STEPS: usize = 5000;
+/// Steps between attempts to coarsen, the tolerance of the mesh, at least, and its part of the nodes: only the landing must be resolved.
+const COARSEN_EVERY: usize = 3;
+const OF_A_DESCENT: f64 = 0.1;
+const NODES_OF_A_DESCENT: usize = 4;
 /// λ at which the search is given up.
 const STIFFEST: f64 = 1e7;
 /// The least λ.
@@ -80,16 +84,27 @@ impl Solver<'_> {
                     1.0
                 })
             .max(SOFTEST);
-            let flags = self.unresolved(&state);
-            if let Some(finer) = self.refined_if(&state, &flags) {
-                state = finer;
-            } else if turn % 3 == 2
-                && let Some(coarser) = self.coarsened(&state)
-            {
-                state = coarser;
-            }
+            state = self.followed(state, turn % COARSEN_EVERY == 0);
         }
         None
+    }
+
+    /// A state of the descent on the mesh that its front needs; what the front has left needs no elements any more. Where too many are needed it goes
+    /// on without: the landing decides.
+    fn followed(&mut self, mut state: State, coarsen: bool) -> State {
+        // Creep strains are kept as they are known.
+        if coarsen && let Some(coarser) = self.coarsened(&state) {
+            state = coarser;
+        }
+        let (accuracy, too_fine) = (self.accuracy, self.too_fine);
+        self.accuracy.mesh = accuracy.mesh.max(OF_A_DESCENT);
+        self.accuracy.most_nodes = accuracy.most_nodes / NODES_OF_A_DESCENT;
+        let flags = self.unresolved(&state);
+        if let Some(finer) = self.refined_if(&state, &flags) {
+            state = finer;
+        }
+        (self.accuracy, self.too_fine) = (accuracy, too_fine);
+        state
     }
 
     /// The state on a finer mesh, if an element is flagged that can still be halved.

@@ -20,21 +20,29 @@ const OF_A_BLOCK: usize = 100;
 /// A dyadic piece of a root interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) struct Cell {
-    root: u32,
+    /// The ends of the root, as the bits of their numbers: cells are keys.
+    root: [u64; 2],
     level: u32,
     index: u64,
 }
 
 impl Cell {
-    /// The roots [0, 4], [4, 8], [8, 16], [16, 64], [64, 128], … up to a radius.
-    fn roots(radius: f64) -> Vec<Self> {
-        let count = (0..).find(|&root| root_interval(root).1 >= radius).unwrap_or(3);
-        (0..=count.max(3)).map(|root| Self { root, level: 0, index: 0 }).collect()
+    /// The roots [0, 4], [4, 8], [8, 16], [16, 64], [64, 128], … up to a radius, and to a rim at most.
+    fn roots(radius: f64, rim: f64) -> Vec<Self> {
+        let mut roots = Vec::new();
+        for count in 0.. {
+            let (from, to) = root_interval(count);
+            roots.push(Self { root: [from, to.min(rim)].map(f64::to_bits), level: 0, index: 0 });
+            if to >= rim || (count >= 3 && to >= radius) {
+                break;
+            }
+        }
+        roots
     }
 
     /// Its ends.
     pub(super) fn interval(self) -> (f64, f64) {
-        let (a, b) = root_interval(self.root);
+        let [a, b] = self.root.map(f64::from_bits);
         let length = (b - a) / (1_u64 << self.level) as f64;
         (a + length * self.index as f64, a + length * (self.index + 1) as f64)
     }
@@ -164,9 +172,9 @@ impl Mesher {
         self.quadrature.rule.nodes.len()
     }
 
-    /// The elements of the coarsest mesh that reaches a radius.
-    pub(super) fn coarsest(radius: f64) -> Vec<Cell> {
-        Cell::roots(radius)
+    /// The elements of the coarsest mesh that reaches a radius, or the rim of the tip.
+    pub(super) fn coarsest(radius: f64, rim: Option<f64>) -> Vec<Cell> {
+        Cell::roots(radius, rim.unwrap_or(f64::INFINITY))
     }
 
     /// Elements and nodes without an influence matrix.

@@ -11,11 +11,11 @@
 //! | file | what |
 //! |---|---|
 //! | `problem`, `scales` | what is asked, in which units |
-//! | `surface` | the law on the tip |
+//! | `tip`, `surface` | the undeformed tip; the law on it |
 //! | `kernel`, `mesh`, `refine` | the influence of a ring; elements with kept blocks; where they are too long or too short |
 //! | `chain`, `drive`, `step` | creep, control, one implicit step and its errors |
 //! | `newton` | one elastic adhesive contact |
-//! | `start`, `jump`, `search` | first state; passing a fold; largest tension and zero force |
+//! | `start`, `zero_range`, `jump`, `search` | first state, from the contact of zero range; passing a fold; largest tension and zero force |
 //! | `integration`, `book`, `kept_surface`, `result`, `assess` | the run, its record, its error bounds |
 //! | `exponential` | a second integrator, as a check |
 //!
@@ -47,13 +47,16 @@ mod start;
 mod state;
 mod step;
 mod surface;
+mod tip;
+mod zero_range;
 
 pub use assess::{Assessed, BY_CHANCE, Bounds, InstantBounds, KINKED, assessed};
 pub use exponential::run_by_exponentials;
 pub use integration::{run, run_watched};
 pub use kept_surface::{Place, Surface};
 pub use mesh::Mesher;
-pub use problem::{Accuracy, Control, Creep, Leg, Motion, Problem, Shape, Start};
+pub use problem::{Accuracy, Control, Creep, Leg, Motion, Problem, Start};
 pub use result::{Certificate, Jump, LegSummary, Record, Run, SUM_OF_DURATIONS, row_at};
 pub use scales::Scales;
 pub use state::Energies;
+pub use tip::Shape;

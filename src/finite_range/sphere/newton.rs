@@ -135,7 +135,7 @@ impl Newton {
                 let pull = equation.pseudo.map_or(0.0, |(lambda, old)| lambda * old[i]);
                 residual[i] = scale * surface.gap(u[i]) - pull - equation.undeformed[i] + penetration - equation.coupling * image[i];
             }
-            let outside = surface.outside(mesh.radius(), penetration);
+            let outside = surface.outside(penetration);
             let force = mesh.integral(|i| p[i]) + outside.0;
             let off = row.penetration * penetration + row.force * force - row.value;
             let mut usable = self.kept.as_ref().is_some_and(|kept| kept.serves(equation, scale));
@@ -184,7 +184,7 @@ impl Newton {
             if converged {
                 self.last_correction = size;
                 (0..n).for_each(|i| p[i] = surface.pressure(u[i]));
-                let force = mesh.integral(|i| p[i]) + surface.outside(mesh.radius(), penetration).0;
+                let force = mesh.integral(|i| p[i]) + surface.outside(penetration).0;
                 let finite = force.is_finite() && penetration.is_finite() && u.iter().all(|u| u.is_finite());
                 return finite.then_some(Contact { u, p, penetration, force });
             }

@@ -5,37 +5,14 @@
 //! in RΔγh₀, times in the unit of the retardation times. Force and penetration are positive in compression and into the body.
 //! Penetration zero: the apex of the undeformed tip lies one range above the undeformed plane (at the wall, if the law has one).
 
+use super::surface::Surface;
+use super::tip::Shape;
 use crate::finite_range::law::{Attraction, Law};
 use crate::indentation::Oscillation;
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 
 /// Steps of a cycle, at least.
 const STEPS_OF_A_CYCLE: f64 = 16.0;
-
-/// The undeformed tip: its height f(x) over the apex, in h₀, at radius x.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Shape {
-    /// f = x²/2, the paraboloid that stands for a sphere.
-    Paraboloid,
-    /// f = coefficient·x^exponent with exponent ≥ 1 (R is then any length that scales the radii).
-    Power {
-        /// The height at x = 1, > 0.
-        coefficient: f64,
-        /// From 1 (a cone) upward.
-        exponent: f64,
-    },
-}
-
-impl Shape {
-    /// f(x).
-    #[must_use]
-    pub fn height(self, x: f64) -> f64 {
-        match self {
-            Self::Paraboloid => 0.5 * x * x,
-            Self::Power { coefficient, exponent } => coefficient * x.powf(exponent),
-        }
-    }
-}
 
 /// The viscoelastic half-space, relative to its relaxed modulus: creep compliance 1/β + Σ f_j (1 − 1/β)(1 − e^{−t/τ_j}).
 #[derive(Debug, Clone, PartialEq)]
@@ -184,8 +161,10 @@ pub struct Problem {
     pub law: Law,
     /// The relaxed Tabor number (RΔγ²/(E₀*² h₀³))^{1/3}, > 0.
     pub tabor: f64,
-    /// The undeformed tip.
+    /// The face of the undeformed tip.
     pub shape: Shape,
+    /// The radius at which it ends with a sharp corner; beyond it nothing attracts.
+    pub rim: Option<f64>,
     /// The body.
     pub creep: Creep,
     /// Where it begins.
@@ -202,13 +181,23 @@ impl Problem {
     /// A paraboloid along a history, without wanted instants or surfaces; other fields by `Problem { shape, ..Problem::new(…) }`.
     #[must_use]
     pub fn new(law: Law, tabor: f64, creep: Creep, start: Start, history: Vec<Leg>) -> Self {
-        Self { law, tabor, shape: Shape::Paraboloid, creep, start, history, instants: Vec::new(), surfaces: Vec::new() }
+        Self { law, tabor, shape: Shape::Paraboloid, rim: None, creep, start, history, instants: Vec::new(), surfaces: Vec::new() }
     }
 
     /// The glassy Tabor number.
     #[must_use]
     pub fn glassy_tabor(&self) -> f64 {
         self.tabor * self.creep.stiffening.powf(-2.0 / 3.0)
+    }
+
+    /// The attraction (in RΔγ, positive) of what lies beyond a radius at a penetration, both bodies undeformed there: more than there is.
+    ///
+    /// # Errors
+    /// [`Refusal`] for a law that is not allowed.
+    pub fn attraction_beyond(&self, radius: f64, penetration: f64) -> Result<f64, Refusal> {
+        let mut surface = Surface::new(self.law.clone(), self.shape.clone(), self.rim)?;
+        surface.set_outside(radius);
+        Ok(-surface.outside(penetration).0)
     }
 
     /// Checks every number.
@@ -237,12 +226,7 @@ impl Problem {
         if creep.fractions.is_empty() && creep.stiffening > 1.0 {
             return Err(Refusal::out_of_range("stiffening", creep.stiffening, "one for a body without creep terms"));
         }
-        if let Shape::Power { coefficient, exponent } = self.shape {
-            require_positive("coefficient", coefficient)?;
-            if !(1.0..=20.0).contains(&exponent) {
-                return Err(Refusal::out_of_range("exponent", exponent, "between 1 and 20"));
-            }
-        }
+        self.shape.check(self.rim)?;
         match self.start {
             Start::Relaxed(penetration) | Start::Unstrained(penetration) => require_finite("start penetration", penetration)?,
             Start::Held { control, value, .. } => {
@@ -300,9 +284,10 @@ pub struct Accuracy {
     pub most_nodes: usize,
 }
 
-/// What tolerances are multiplied by to assess a run. Where the law is kinked, ten times tighter ones cost ten times as much.
+/// What tolerances are multiplied by to assess a run. Where the law is kinked, ten times tighter ones cost ten times as much; a quarter halves
+/// every element at a kink at least once more (its error falls fourfold), so that two runs never share a mesh there.
 const FINER: f64 = 0.1;
-const KINKED_FINER: f64 = 0.3;
+const KINKED_FINER: f64 = 0.25;
 /// The tolerance of the force falls with this power of that of a step.
 const FORCE_WITH_STEP: f64 = 0.7;
 /// Nodes of an element where the law is kinked.

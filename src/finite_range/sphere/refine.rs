@@ -11,11 +11,13 @@ pub(super) struct Watched<'a> {
     pub(super) tolerance: f64,
     /// An error times the length of its element that is allowed: what is unresolved there moves the surface no more than that.
     pub(super) of_integral: f64,
+    /// The same times the radius: what is unresolved there changes the force no more than that.
+    pub(super) of_force: f64,
 }
 
 impl Watched<'_> {
     fn tolerance(&self, cell: Cell) -> f64 {
-        self.tolerance.max(self.of_integral / cell.length())
+        self.tolerance.max(self.of_integral.min(self.of_force / cell.interval().1) / cell.length())
     }
 }
 

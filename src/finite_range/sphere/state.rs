@@ -63,7 +63,7 @@ impl State {
 
     /// The energy of the attraction.
     pub(super) fn interface(&self, surface: &Surface) -> f64 {
-        self.mesh.integral(|i| surface.interface(self.u[i])) + surface.outside(self.mesh.radius(), self.penetration).2
+        self.mesh.integral(|i| surface.interface(self.u[i])) + surface.outside(self.penetration).2
     }
 
     /// The energy that can change at once: instant springs and attraction, and the work of the instant strains on the frozen ones.
@@ -101,7 +101,7 @@ impl State {
         let (p, x) = (&self.p, &self.mesh.x);
         let least = (0..p.len()).min_by(|&i, &k| p[i].total_cmp(&p[k])).unwrap_or(0);
         if least == 0 || least + 1 == p.len() {
-            return if least == 0 { 0.0 } else { x[least] };
+            return if least == 0 { 0.0 } else { self.mesh.radius() };
         }
         let (left, right) = (x[least] - x[least - 1], x[least + 1] - x[least]);
         let (down, up) = ((p[least] - p[least - 1]) / left, (p[least + 1] - p[least]) / right);

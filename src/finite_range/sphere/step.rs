@@ -73,7 +73,7 @@ pub(super) struct Solver<'m> {
 
 impl<'m> Solver<'m> {
     pub(super) fn new(problem: &Problem, accuracy: Accuracy, mesher: &'m mut Mesher) -> Result<Self, Refusal> {
-        let surface = Surface::new(problem.law.clone(), problem.shape)?;
+        let surface = Surface::new(problem.law.clone(), problem.shape.clone(), problem.rim)?;
         let coupling = problem.tabor.powf(1.5);
         Ok(Self {
             mesher,
@@ -270,11 +270,13 @@ impl<'m> Solver<'m> {
         let largest = state.p.iter().fold(0.0_f64, |most, p| most.max(p.abs()));
         let of_integral = self.accuracy.mesh / self.coupling;
         // No mesh follows the square root of the pressure at the edge of a hard wall, or a kink: what it moves, and its force, count.
-        let at_edge = AT_A_KINK * self.accuracy.mesh / self.coupling.max(state.tension_radius());
-        let at_edge = if self.surface.is_kinked() { at_edge } else { 0.0 };
+        let at_a_kink = if self.surface.is_singular() { AT_A_KINK } else { 0.0 };
         let tolerance = self.accuracy.mesh * (0.1 * largest).max(1.0);
-        let mut fields = vec![Watched { values: &state.p, tolerance, of_integral: at_edge }];
-        fields.extend(state.strains.iter().map(|values| Watched { values, tolerance: 0.0, of_integral }));
+        let pressure =
+            Watched { values: &state.p, tolerance, of_integral: at_a_kink * of_integral, of_force: at_a_kink * self.accuracy.mesh };
+        let strain = |values| Watched { values, tolerance: 0.0, of_integral, of_force: f64::INFINITY };
+        let mut fields = vec![pressure];
+        fields.extend(state.strains.iter().map(|values| strain(values)));
         fields
     }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::kernel::unit_rule;
-use super::problem::Shape;
+use super::tip::Shape;
 use crate::finite_range::law::{Attraction, Law};
 use crate::refusal::Refusal;
 
@@ -28,15 +28,16 @@ pub(super) struct Surface {
     wall: Option<f64>,
     /// The gap at the apex at penetration zero.
     rest: f64,
-    /// Places s = radius of the mesh / x with their weights.
-    tail: Vec<(f64, f64)>,
+    rim: f64,
+    /// Undeformed gaps at places outside the mesh, with the areas that they have there.
+    outside: Vec<(f64, f64)>,
 }
 
 impl Surface {
-    pub(super) fn new(law: Law, shape: Shape) -> Result<Self, Refusal> {
+    pub(super) fn new(law: Law, shape: Shape, rim: Option<f64>) -> Result<Self, Refusal> {
         let law = Attraction::new(law, 1.0, 1.0)?;
         let wall = law.wall();
-        Ok(Self { rest: wall.unwrap_or(1.0), law, shape, wall, tail: unit_rule(TAIL_POINTS) })
+        Ok(Self { rest: wall.unwrap_or(1.0), law, shape, rim: rim.unwrap_or(f64::INFINITY), wall, outside: Vec::new() })
     }
 
     /// The gap over the undeformed plane at penetration zero.
@@ -93,11 +94,6 @@ impl Surface {
         self.wall.is_some_and(|wall| u < wall)
     }
 
-    /// Whether the pressure has kinks: at the edge of a hard wall, or where the law has one.
-    pub(super) fn is_kinked(&self) -> bool {
-        self.law.is_kinked()
-    }
-
     /// The energy of the attraction per area at a gap: minus the work left.
     pub(super) fn interface(&self, u: f64) -> f64 {
         -self.law.work_left(self.gap(u))
@@ -108,18 +104,56 @@ impl Surface {
         self.law.peak_gap()
     }
 
-    /// Outside a radius, where the body is not deformed: force, its derivative with respect to the penetration, interface energy.
-    pub(super) fn outside(&self, radius: f64, penetration: f64) -> (f64, f64, f64) {
+    /// Says where the mesh ends.
+    pub(super) fn set_outside(&mut self, radius: f64) {
+        self.outside.clear();
+        if self.ends_at(radius) {
+            return;
+        }
+        let rule = unit_rule(TAIL_POINTS);
+        let mut ends = vec![radius];
+        ends.extend(self.shape.kinks_beyond(radius).into_iter().filter(|kink| *kink < self.rim));
+        ends.push(self.rim);
+        for pair in ends.windows(2) {
+            // In s = beginning/x, so that the last piece may have no end.
+            let (begin, last) = (pair[0], pair[0] / pair[1]);
+            for &(part, weight) in &rule {
+                let s = last + (1.0 - last) * part;
+                let area = (1.0 - last) * weight * TAU * begin * begin / (s * s * s);
+                self.outside.push((self.undeformed(begin / s), area));
+            }
+        }
+    }
+
+    /// Outside the mesh, where the body is not deformed: force, its derivative with respect to the penetration, interface energy.
+    pub(super) fn outside(&self, penetration: f64) -> (f64, f64, f64) {
         let mut sums = (0.0, 0.0, 0.0);
-        for &(s, weight) in &self.tail {
-            let gap = self.undeformed(radius / s) - penetration;
+        for &(undeformed, area) in &self.outside {
+            let gap = undeformed - penetration;
             if gap > self.rest {
-                let measure = weight * TAU * radius * radius / (s * s * s);
-                sums.0 += measure * self.law.stress(gap);
-                sums.1 -= measure * self.law.slope(gap);
-                sums.2 -= measure * self.law.work_left(gap);
+                sums.0 += area * self.law.stress(gap);
+                sums.1 -= area * self.law.slope(gap);
+                sums.2 -= area * self.law.work_left(gap);
             }
         }
         sums
+    }
+
+    /// The radius to which the tip is known, if it ends nowhere but in a table.
+    pub(super) fn known_to(&self) -> Option<f64> {
+        match &self.shape {
+            Shape::Table(table) if self.rim.is_infinite() => Some(table.reach()),
+            _ => None,
+        }
+    }
+
+    /// Whether the tip ends at a radius.
+    pub(super) fn ends_at(&self, radius: f64) -> bool {
+        radius >= self.rim
+    }
+
+    /// Whether pressures may be without bound at one place: at the edge of a hard wall, where the law has a kink, or under a sharp apex.
+    pub(super) fn is_singular(&self) -> bool {
+        self.law.is_kinked() || self.shape.is_sharp()
     }
 }

@@ -128,7 +128,7 @@ impl TabulatedShape {
     }
 
     /// f(s) (m). Beyond the last point f goes on as a parabola, for trials of a search only.
-    pub(super) fn line(&self, s: f64) -> f64 {
+    pub(crate) fn line(&self, s: f64) -> f64 {
         self.series.value(s / self.end) * self.height
     }
 
@@ -138,7 +138,7 @@ impl TabulatedShape {
     }
 
     /// f′(s).
-    pub(super) fn line_slope(&self, s: f64) -> f64 {
+    pub(crate) fn line_slope(&self, s: f64) -> f64 {
         self.series.slope(s / self.end) * (self.height / self.end)
     }
 
@@ -164,7 +164,7 @@ impl TabulatedShape {
     }
 
     /// The points (m) between two places, clear of both.
-    pub(super) fn knots(&self, low: f64, high: f64) -> Vec<f64> {
+    pub(crate) fn knots(&self, low: f64, high: f64) -> Vec<f64> {
         let (from, to) = (low / self.end * (1.0 + CLEARANCE), high / self.end * (1.0 - CLEARANCE));
         let [first, last] = [from, to].map(|end| self.knots.partition_point(|knot| *knot <= end));
         self.knots.get(first..last).unwrap_or(&[]).iter().filter(|knot| **knot > 0.0).map(|knot| knot * self.end).collect()
@@ -192,7 +192,7 @@ impl TabulatedShape {
     }
 
     /// ∫₀^s f ds′ (m²).
-    pub(super) fn volume(&self, s: f64) -> f64 {
+    pub(crate) fn volume(&self, s: f64) -> f64 {
         let x = s / self.end;
         let index = self.knots.partition_point(|knot| *knot <= x.min(1.0)).saturating_sub(1);
         let from = self.knots.get(index).copied().unwrap_or(0.0);

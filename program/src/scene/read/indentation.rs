@@ -54,7 +54,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         _ => IndentationStart::Untouched,
     };
     if attraction.is_some() {
-        at_a_distance::possible(top, &table, &history, &shape)?;
+        at_a_distance::possible(top, &table, &history)?;
     }
     let at_start = at_start(&table, start, adhesion.is_some(), &history)?;
     periodic::possible(top, &table, &history, &shape, (start, at_start.0, rim_radius, &edge_law))?;

@@ -2,36 +2,14 @@
 
 use super::section::Section;
 use crate::scene::diagnostic::SceneError;
-use crate::scene::typed::{History, HistoryQuantity, HistorySegment, IndentationShape};
+use crate::scene::typed::{History, HistoryQuantity, HistorySegment};
 
-/// The theory that has what this one has not.
-const EDGE: &str = "leave it out, or give adhesion.process_zone in place of the law: the theory of an edge";
-
-/// Refuses shapes and histories that the solver of the finite range does not take.
-pub(super) fn possible(top: &Section<'_>, table: &Section<'_>, history: &History, shape: &IndentationShape) -> Result<(), SceneError> {
-    let shape_key = match shape {
-        IndentationShape::FlatPunch { .. } => Some("flat_punch"),
-        IndentationShape::Table { .. } => Some("profile"),
-        _ => None,
-    };
-    if let Some(key) = shape_key {
-        let message = format!("`{}`: with a law of attraction only a sphere, a cone and a power law are solved", table.full(key));
-        return Err(SceneError::at(&table.key_place(key), message, "this shape")
-            .help("give adhesion.process_zone in place of the law, or a shape of these three"));
-    }
-    if let IndentationShape::PowerLaw { exponent, .. } = shape
-        && *exponent < 1.0
-    {
-        let message = format!("`indentation.power_law.exponent` = {exponent}: with a law of attraction it is 1 or more");
-        let body = table.required_table("power_law", "it is the indenter")?;
-        return Err(body.wrong("exponent", message, "must be at least 1"));
-    }
-    for key in ["rim_radius", "contact_radius"] {
-        if table.node().get(key).is_some() {
-            let message = format!("`{}`: surfaces that attract at a distance have no sharp edge", table.full(key));
-            let help = if key == "rim_radius" { EDGE } else { "give indentation.penetration or indentation.force" };
-            return Err(SceneError::at(&table.key_place(key), message, "in this table").help(help));
-        }
+/// Refuses starts and histories that the solver of the finite range does not take.
+pub(super) fn possible(top: &Section<'_>, table: &Section<'_>, history: &History) -> Result<(), SceneError> {
+    if table.node().get("contact_radius").is_some() {
+        let message = format!("`{}`: surfaces that attract at a distance have no sharp edge", table.full("contact_radius"));
+        return Err(SceneError::at(&table.key_place("contact_radius"), message, "in this table")
+            .help("give indentation.penetration or indentation.force"));
     }
     let items = top.items("history");
     for (index, segment) in history.segments.iter().enumerate() {

@@ -22,7 +22,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
     let mut section = Section::new("finite_spheres", "Random problems with attraction at a distance");
     section.paragraphs.push(format!(
         "{problems} random problems: Tabor numbers 0.05 to 6, stiffening 2 to 1000, 1, 3 or 12 terms, speeds over eight decades, spheres, cones and power laws, starts in contact and far from it, rests, oscillations and steps at \
-         once, every law, a penetration, a force or a frame. Each is solved by two runs that give bounds, at 1e-4 (1e-3 where the law has a kink or a hard wall) and with every tolerance tightened, and by one that is tightened once more, which the second is compared with. A problem that needs more than {} steps in the first run, or more nodes than are allowed in the last, is left out, and counted.",
+         once, every law, a penetration, a force or a frame. Each is solved by two runs that give bounds, at 1e-4 (1e-3 where the law has a kink or a hard wall) and with every tolerance tightened, and by one that is tightened once more, which the second is compared with. A problem that needs more than {} steps in the first run, or more nodes than are allowed, is left out, and counted.",
         problems::MOST_STEPS
     ));
     progress.expect(problems);

@@ -128,7 +128,8 @@ impl Course {
         Problem {
             law: reduced.law.law.clone(),
             tabor: reduced.scales.tabor,
-            shape: reduced.shape,
+            shape: reduced.shape.clone(),
+            rim: reduced.rim,
             creep: reduced.creep.clone(),
             start: self.start,
             history: self.pieces.iter().map(|piece| piece.leg).collect(),

@@ -5,20 +5,27 @@
 
 use super::super::scale::Scale;
 use crate::scene::typed::{HistoryQuantity, Indentation, IndentationShape, SceneAttraction};
+use std::sync::Arc;
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::law::Attraction;
 use viscotack::finite_range::sphere::{Creep, Scales, Shape};
+use viscotack::indentation::TabulatedShape;
 use viscotack::material::PlaneMaterial;
 use viscotack::refusal::Refusal;
 
 /// Rounding of the way to the units of the solver and back, relative.
 const CONVERSION: f64 = 8.0 * f64::EPSILON;
 
+/// Halvings of a bracket.
+const HALVINGS: usize = 60;
+
 /// The problem in the units of the solver.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Reduced {
     pub(super) scales: Scales,
     pub(super) shape: Shape,
+    /// Where the tip ends, in the unit of radii.
+    pub(super) rim: Option<f64>,
     pub(super) creep: Creep,
     /// The law in coherent units.
     pub(super) law: Attraction,
@@ -35,24 +42,23 @@ impl Reduced {
     ) -> Result<Self, Refusal> {
         let given = &attraction.attraction;
         let law = Attraction::new(given.law.clone(), given.work_of_adhesion * scale.force, given.range)?;
-        // The radius R that makes √(R h₀) the radius at which the shape is one range high, but for the factor that the solver is given.
-        let (radius, shape) = match indentation.shape {
-            IndentationShape::Sphere { radius } => (radius, Shape::Paraboloid),
-            IndentationShape::Cone { slope } => (law.range / (slope * slope), Shape::Power { coefficient: 1.0, exponent: 1.0 }),
-            IndentationShape::PowerLaw { radius, exponent } => {
-                // (R^{m−1} h₀)^{2/m}/h₀ without overflow.
-                let effective = radius * (radius / law.range).powf(1.0 - 2.0 / exponent);
-                (effective, Shape::Power { coefficient: 1.0 / exponent, exponent })
+        let (radius, mut rim) = (radius_of_units(&indentation.shape, law.range)?, indentation.rim_radius);
+        let scales = Scales::new(radius, &law, material)?;
+        let shape = match &indentation.shape {
+            IndentationShape::Sphere { .. } => Shape::Paraboloid,
+            IndentationShape::Cone { .. } => Shape::Power { coefficient: 1.0, exponent: 1.0 },
+            IndentationShape::PowerLaw { exponent, .. } => Shape::Power { coefficient: 1.0 / exponent, exponent: *exponent },
+            IndentationShape::FlatPunch { radius } => {
+                rim = Some(*radius);
+                Shape::Flat
             }
-            IndentationShape::FlatPunch { .. } | IndentationShape::Table { .. } => {
-                return Err(Refusal::Undefined {
-                    quantity: "a contact with attraction of finite range",
-                    reason: "only spheres, cones and power laws are solved; give process_zone in place of law for other shapes".into(),
-                });
+            IndentationShape::Table { points, .. } => {
+                let points: Vec<_> = points.iter().map(|(r, z)| (r / scales.radius, z / scales.gap)).collect();
+                Shape::Table(Arc::new(TabulatedShape::through(&points)?))
             }
         };
         let zero = law.wall().map_or(1.0, |wall| wall / law.range) - law.equilibrium_gap() / law.range;
-        Ok(Self { scales: Scales::new(radius, &law, material)?, shape, creep: Creep::of(material)?, law, zero })
+        Ok(Self { scales, shape, rim: rim.map(|rim| rim / scales.radius), creep: Creep::of(material)?, law, zero })
     }
 
     /// A value of a controlled quantity in the units of the solver.
@@ -81,4 +87,28 @@ impl Reduced {
     fn unit(&self, value: f64, error: f64) -> Estimate {
         Estimate::new(value + 0.0, error + CONVERSION * value.abs())
     }
+}
+
+/// The radius R that makes √(R h₀) the radius at which the shape is one range h₀ high, but for the factor that the solver is given: that of a
+/// sphere; of a flat face its own.
+fn radius_of_units(shape: &IndentationShape, range: f64) -> Result<f64, Refusal> {
+    Ok(match shape {
+        IndentationShape::Sphere { radius } | IndentationShape::FlatPunch { radius } => *radius,
+        IndentationShape::Cone { slope } => range / (slope * slope),
+        // (R^{m−1} h₀)^{2/m}/h₀ without overflow.
+        IndentationShape::PowerLaw { radius, exponent } => radius * (radius / range).powf(1.0 - 2.0 / exponent),
+        IndentationShape::Table { points, .. } => {
+            let shape = TabulatedShape::through(points)?;
+            // The parabola that is half a range high where the shape is, or as high as the shape at its end.
+            let (mut low, mut high) = (0.0, shape.reach());
+            if shape.height(high) < 0.5 * range {
+                return Ok(high * high / (2.0 * shape.height(high)));
+            }
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                if shape.height(middle) < 0.5 * range { low = middle } else { high = middle }
+            }
+            high * high / range
+        }
+    })
 }

@@ -6,9 +6,11 @@ use crate::outcome::{Row, Validity};
 use crate::plan::assumptions::{Assumption, Limit, assessed, constant_poisson_ratio, not_assessed};
 use crate::plan::measured::{note, records};
 use crate::scene::typed::IndentationShape;
+use viscotack::finite_range::sphere::Shape;
+use viscotack::indentation::TabulatedShape;
 
 /// The assumptions, in the order of [`FiniteRangePlan::assumptions`].
-const ASSUMPTIONS: [Assumption; 3] = [
+const ASSUMPTIONS: [Assumption; 4] = [
     Assumption {
         name: "contact radius over R",
         limit: Limit::Below(0.3),
@@ -24,7 +26,15 @@ const ASSUMPTIONS: [Assumption; 3] = [
         limit: Limit::Below(0.3),
         meaning: "the material below the attracting surfaces must stay linear",
     },
+    Assumption {
+        name: "attraction from beyond the last row of the profile over (3/2)πRΔγ",
+        limit: Limit::Below(1e-3),
+        meaning: "beyond its last row the profile is taken to go on with the slope it has there, and attracts too; R is that of its tip",
+    },
 ];
+
+/// (3/2)πRΔγ in RΔγ.
+const SPHERE: f64 = 1.5 * std::f64::consts::PI;
 
 impl FiniteRangePlan {
     /// The numbers that the assumptions are compared with, for one row.
@@ -34,10 +44,28 @@ impl FiniteRangePlan {
             IndentationShape::Sphere { radius: size } => (Some(size), radius.map(|radius| radius / size)),
             IndentationShape::Cone { slope } => (None, Some(slope)),
             IndentationShape::PowerLaw { radius: size, exponent } => (None, radius.map(|radius| (radius / size).powf(exponent - 1.0))),
-            IndentationShape::FlatPunch { .. } | IndentationShape::Table { .. } => (None, None),
+            IndentationShape::FlatPunch { .. } => (None, None),
+            IndentationShape::Table { .. } => (None, self.table().zip(radius).map(|(table, radius)| self.slope(table, radius))),
         };
         let peak = self.reduced.law.peak_stress() / self.material.glassy_modulus();
-        vec![radius.zip(size).map(|(radius, size)| radius / size), slope, Some(peak)]
+        let beyond = self.table().filter(|_| self.reduced.rim.is_none()).zip(row.value(at::PENETRATION));
+        let beyond = beyond.and_then(|(table, depth)| {
+            let depth = depth / self.reduced.scales.gap + self.reduced.zero;
+            let attraction = self.course.problem(&self.reduced).attraction_beyond(table.reach(), depth).ok()?;
+            Some(attraction / SPHERE)
+        });
+        vec![radius.zip(size).map(|(radius, size)| radius / size), slope, Some(peak), beyond]
+    }
+
+    /// The shape through points, in the units of the solver.
+    fn table(&self) -> Option<&TabulatedShape> {
+        if let Shape::Table(table) = &self.reduced.shape { Some(table) } else { None }
+    }
+
+    /// dz/dr of a table at a coherent radius.
+    fn slope(&self, table: &TabulatedShape, radius: f64) -> f64 {
+        let units = self.reduced.scales;
+        table.slope(radius / units.radius) * units.gap / units.radius
     }
 
     pub(super) fn limits(&self, rows: &[Row]) -> Vec<Validity> {
