@@ -9,3 +9,4 @@ mod line;
 mod sphere;
 mod sphere_samples;
 mod stability;
+mod tips;

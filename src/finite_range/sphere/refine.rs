@@ -13,11 +13,14 @@ pub(super) struct Watched<'a> {
     pub(super) of_integral: f64,
     /// The same times the radius: what is unresolved there changes the force no more than that.
     pub(super) of_force: f64,
+    /// The error that is allowed anywhere is allowed where it changes the force by no more than this.
+    pub(super) of_wide_force: f64,
 }
 
 impl Watched<'_> {
     fn tolerance(&self, cell: Cell) -> f64 {
-        self.tolerance.max(self.of_integral.min(self.of_force / cell.interval().1) / cell.length())
+        let (length, radius) = (cell.length(), cell.interval().1);
+        self.tolerance.min(self.of_wide_force / (radius * length)).max(self.of_integral.min(self.of_force / radius) / length)
     }
 }
 

@@ -270,11 +270,11 @@ impl<'m> Solver<'m> {
         let largest = state.p.iter().fold(0.0_f64, |most, p| most.max(p.abs()));
         let of_integral = self.accuracy.mesh / self.coupling;
         // No mesh follows the square root of the pressure at the edge of a hard wall, or a kink: what it moves, and its force, count.
-        let at_a_kink = if self.surface.is_singular() { AT_A_KINK } else { 0.0 };
+        let (at_a_kink, of_wide_force) = if self.surface.is_singular() { (AT_A_KINK, self.accuracy.mesh) } else { (0.0, f64::INFINITY) };
         let tolerance = self.accuracy.mesh * (0.1 * largest).max(1.0);
-        let pressure =
-            Watched { values: &state.p, tolerance, of_integral: at_a_kink * of_integral, of_force: at_a_kink * self.accuracy.mesh };
-        let strain = |values| Watched { values, tolerance: 0.0, of_integral, of_force: f64::INFINITY };
+        let of_force = at_a_kink * self.accuracy.mesh;
+        let pressure = Watched { values: &state.p, tolerance, of_integral: at_a_kink * of_integral, of_force, of_wide_force };
+        let strain = |values| Watched { values, tolerance: 0.0, of_integral, of_force: f64::INFINITY, of_wide_force };
         let mut fields = vec![pressure];
         fields.extend(state.strains.iter().map(|values| strain(values)));
         fields
