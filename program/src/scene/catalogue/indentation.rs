@@ -49,7 +49,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "indentation.profile",
         kind: Kind::Text,
-        meaning: "A file, relative to the scene, with the shape of the body: a header such as `r (µm), z (nm)`, then 4 to 2000 rows from `0, 0` on in which both rise; or a scan over both sides with `x` and `z`, or a map with `x`, `y` and `z`, which is levelled, centred and averaged over rings. In a reduced scene without units, R being any length. Contact and process zone must stay within the last row, unless rim_radius ends the body.",
+        meaning: "A file, relative to the scene, with the shape of the body: a header such as `r (µm), z (nm)`, then 4 to 2000 rows from `0, 0` on in which both rise; or a scan over both sides with `x` and `z`, or a map with `x`, `y` and `z`, which is levelled, centred and averaged over rings. In a reduced scene without units, R being any length. Contact and process zone must stay within the last row, unless rim_radius ends the body; with a law of attraction the shape goes on beyond it with the slope that it has there.",
     },
     Key { path: "indentation.scan", kind: Kind::Table, meaning: "What is known of the scan that `profile` names." },
     Key {
@@ -82,7 +82,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "indentation.rim_radius",
         kind: Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "R" },
-        meaning: "Where a sphere, cone, power law or profile ends with a sharp corner, as the round end of a cylinder does: the contact grows no further, and with adhesion the rim holds its edge until it lets go. Left out: the shape has no end.",
+        meaning: "Where a sphere, cone, power law or profile ends with a sharp corner, as the round end of a cylinder does: the contact grows no further, and with a process zone the rim holds its edge until it lets go; with a law of attraction nothing attracts beyond it. Left out: the shape has no end.",
     },
     Key {
         path: "indentation.counter_body",

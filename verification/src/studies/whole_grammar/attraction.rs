@@ -17,20 +17,35 @@ fn stress(u: f64) -> f64 {
     8.0 / 3.0 * (c * c * c - c)
 }
 
+/// A table of the sphere.
+fn parabola(text: &mut Text, size: f64) {
+    let rows = (0..=40).map(|k| 0.05 * f64::from(k)).map(|x| format!("{:e}, {:e}", x * size, 0.5 * x * x * size));
+    let header = if text.reduced { "r, z" } else { "r (m), z (m)" };
+    let rows: Vec<String> = rows.collect();
+    text.put_file("indentation.profile", "shape.csv", format!("{header}\n{}\n", rows.join("\n")));
+}
+
 /// Writes a whole indenter of finite range: shape, law, start, history.
 pub(super) fn indenter(text: &mut Text, scales: Scales) {
     let size = if text.reduced { 1.0 } else { text.draw.log_between(1e-6, 1e-4) };
     let range = size * text.draw.log_between(1e-3, 2e-2);
-    match text.draw.below(4) {
+    let form = text.draw.below(8);
+    match form {
         0 => text.put_number("indentation.cone.slope", (range / size).sqrt(), 1.0, NUMBER),
-        1 => {
+        1 | 2 => {
             if !text.reduced {
                 text.put_number("indentation.power_law.radius", 1.0, size, LENGTH);
             }
-            text.put("indentation.power_law.exponent", "2.5");
+            text.put("indentation.power_law.exponent", if form == 1 { "2.5" } else { "0.9" });
         }
+        3 if text.reduced => text.put("indentation.flat_punch", "{}"),
+        3 => text.put_number("indentation.flat_punch.radius", 1.0, size, LENGTH),
+        4 => parabola(text, size),
         _ if text.reduced => text.put("indentation.sphere", "{}"),
         _ => text.put_number("indentation.sphere.radius", 1.0, size, LENGTH),
+    }
+    if form == 5 {
+        text.put_number("indentation.rim_radius", 2.0, (size * range).sqrt(), LENGTH);
     }
     // A relaxed Tabor number of 0.2 to 2: Δγ = E0*(μr)^{3/2}/√R.
     let tabor = text.draw.log_between(0.2, 2.0);
