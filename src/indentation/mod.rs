@@ -84,6 +84,7 @@ mod zone_work;
 
 pub use checkpoint::{Checkpoint, Watch};
 pub use cycle::Cycle;
+pub(crate) use cycle_integrals::{Course, CycleIntegrals, POINTS_BEHIND};
 pub use edge_law::EdgeLaw;
 pub use elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius};
 pub use elliptic::elliptic_k;

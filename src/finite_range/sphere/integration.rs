@@ -103,7 +103,7 @@ impl Integration<'_> {
     fn leg(&mut self, leg: &Leg) -> Result<bool, Refusal> {
         let drive = Drive::new(*leg, &self.state);
         let end = drive.begin + drive.motion.duration();
-        let longest = drive.motion.longest_step();
+        let longest = drive.motion.longest_step(self.solver.accuracy.steps_of_a_cycle);
         self.state.rate = None;
         let mut window = Window { before: None, best: self.state.clone(), zero: None };
         let first = self.book.record(&self.solver, &self.state);

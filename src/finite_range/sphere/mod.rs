@@ -17,6 +17,7 @@
 //! | `newton` | one elastic adhesive contact |
 //! | `start`, `jump`, `search` | first state; passing a fold; largest tension and zero force |
 //! | `integration`, `book`, `kept_surface`, `result`, `assess` | the run, its record, its error bounds |
+//! | `cycles` | stiffness, loss and extremes of every cycle of an oscillation, from the record |
 //! | `exponential` | a second integrator, as a check |
 //!
 //! Sources: Greenwood (1997) and Feng (2000) for the elastic sphere; Maghami, Wang, Tricarico, Ciavarella, Li & Papangelo (2024) for the
@@ -30,6 +31,7 @@
 mod assess;
 mod book;
 mod chain;
+mod cycles;
 mod drive;
 mod exponential;
 mod integration;
@@ -49,6 +51,7 @@ mod step;
 mod surface;
 
 pub use assess::{Assessed, BY_CHANCE, Bounds, InstantBounds, KINKED, assessed};
+pub use cycles::cycles;
 pub use exponential::run_by_exponentials;
 pub use integration::{run, run_watched};
 pub use kept_surface::{Place, Surface};
