@@ -7,5 +7,6 @@ mod support;
 mod independent;
 mod line;
 mod sphere;
+mod sphere_cycles;
 mod sphere_samples;
 mod stability;

@@ -1,11 +1,14 @@
 //! What every cycle of an oscillation turns out to be, from the record of a run.
 //!
-//! Steps end on the ends of cycles. Within a step Δ, F and a go along the polynomial through the six points around it, of one smooth piece between
-//! jumps; a jump itself is a straight line. The work is that of the record.
+//! Steps end on the ends of cycles. Within a step Δ, F and a go along the polynomial through up to six points around it, of one smooth piece
+//! between jumps; a jump itself is a straight line. The work is that of the record.
 
 use super::problem::{ON_TIME, Problem};
 use super::result::{Record, Run};
 use crate::indentation::{Course, Cycle, CycleIntegrals, POINTS_BEHIND, PathPoint, Spread};
+
+/// Points of a polynomial are at least this part of its step from each other.
+const SPACING: f64 = 0.5;
 
 /// Every whole cycle that a run goes through, and by how much those of one frequency differ. A cycle that begins or ends within a jump is left out.
 #[must_use]
@@ -24,7 +27,8 @@ pub fn cycles(problem: &Problem, run: &Run) -> (Vec<Cycle<f64>>, Vec<Spread>) {
         let (mut begun, mut before) = (true, start.time);
         for (index, pair) in way.windows(2).enumerate() {
             let ([from, to], Some(point)) = (pair, path.get(index + 1)) else { continue };
-            let mut sums = integrals.between(around(&path, index), seen_from(around(&path, index), [from.time, to.time]));
+            let points = around(&path, index, |_| true);
+            let mut sums = integrals.between(&points, seen_from(&points, [from.time, to.time]));
             sums.work = to.work - from.work;
             if let Some(extremes) = &mut sums.extremes {
                 extremes[2] = radii(&path, index);
@@ -70,24 +74,38 @@ fn path(way: &[Record], run: &Run) -> Vec<PathPoint> {
     points.collect()
 }
 
-/// The points around a step, of its piece and of a run of points that a condition holds for: as many before it as behind it, where there are.
-fn around_where(path: &[PathPoint], index: usize, holds: impl Fn(&PathPoint) -> bool) -> &[PathPoint] {
-    let piece = path.get(index + 1).map_or(0, |point| point.piece);
+/// The points around a step that a polynomial goes through: of its piece and of a run of points that a condition holds for, as many before it as
+/// behind it, where there are. Steps shrink a thousandfold before a jump: points nearer to each other than a part of the step are left out, since a
+/// polynomial through a cluster of points says nothing at a distance from it.
+fn around(path: &[PathPoint], index: usize, holds: impl Fn(&PathPoint) -> bool) -> Vec<PathPoint> {
+    let (Some(before), Some(after)) = (path.get(..=index), path.get(index + 1..)) else { return Vec::new() };
+    let (Some(from), Some(to)) = (before.last(), after.first()) else { return Vec::new() };
+    let least = SPACING * (to.time - from.time);
+    let wide = |points: &mut Vec<PathPoint>, point: &PathPoint| {
+        if points.len() < POINTS_BEHIND - 1 && points.last().is_none_or(|last| (last.time - point.time).abs() >= least) {
+            points.push(*point);
+        }
+        points.len() < POINTS_BEHIND - 1
+    };
     // The first point of a piece ends the one before.
-    let behind = path.get(..=index).unwrap_or_default().iter().rev();
-    let own =
-        |place: usize, point: &PathPoint| place == 0 || path.get(index + 1 - place).is_some_and(|next| next.piece == piece) && holds(point);
-    let before = behind.enumerate().take(POINTS_BEHIND - 1).take_while(|(place, point)| own(*place, point)).count();
-    let after = path.get(index + 1..).unwrap_or_default().iter().take(POINTS_BEHIND - 1);
-    let after = after.enumerate().take_while(|(place, point)| *place == 0 || point.piece == piece && holds(point)).count();
+    let (mut left, mut right) = (Vec::new(), Vec::new());
+    let mut next = to;
+    for point in before.iter().rev().take_while(|point| std::mem::replace(&mut next, point).piece == to.piece) {
+        if !(holds(point) && wide(&mut left, point)) {
+            break;
+        }
+    }
+    for point in after.iter().take_while(|point| point.piece == to.piece) {
+        if !(holds(point) && wide(&mut right, point)) {
+            break;
+        }
+    }
     let half = POINTS_BEHIND / 2;
-    let first = before.min((POINTS_BEHIND - after.min(half)).max(half));
-    let last = after.min(POINTS_BEHIND - first);
-    path.get(index + 1 - first..index + 1 + last).unwrap_or_default()
-}
-
-fn around(path: &[PathPoint], index: usize) -> &[PathPoint] {
-    around_where(path, index, |_| true)
+    left.truncate(half.max(POINTS_BEHIND - right.len().min(half)));
+    right.truncate(POINTS_BEHIND - left.len());
+    left.reverse();
+    left.append(&mut right);
+    left
 }
 
 /// Times relative to the last of some points.
@@ -101,9 +119,9 @@ fn radii(path: &[PathPoint], index: usize) -> [f64; 2] {
     let [from, to] = [index, index + 1].map(|place| path.get(place).map_or(0.0, |point| point.contact_radius));
     let mut range = [from.min(to), from.max(to)];
     if range[0] > 0.0 {
-        let points = around_where(path, index, |point| point.contact_radius > 0.0);
+        let points = around(path, index, |point| point.contact_radius > 0.0);
         let times = [index, index + 1].map(|place| path.get(place).map_or(0.0, |point| point.time));
-        if let Some(turn) = Course::through(points, |point| point.contact_radius).turn(seen_from(points, times)) {
+        if let Some(turn) = Course::through(&points, |point| point.contact_radius).turn(seen_from(&points, times)) {
             range = [range[0].min(turn), range[1].max(turn)];
         }
     }
