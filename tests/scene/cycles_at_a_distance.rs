@@ -201,10 +201,32 @@ fn bounds_of_cycles_cover_what_a_far_finer_run_finds() {
             "quantity = \"penetration\", amplitude = \"20 nm\", frequency = 0.5, cycles = 2",
         ),
     ];
-    for (law, accuracy, finer, start, oscillation) in cases {
-        let [coarse, fine] = [accuracy, finer].map(|accuracy| solved(&scene(accuracy, SOLID, law, &swing(start, oscillation))));
+    let two_terms =
+        "glassy_modulus = \"3.3 MPa\"\ncreep = [{ fraction = 0.6, retardation_time = 3.5 }, { fraction = 0.4, retardation_time = 0.35 }]\n";
+    let cases = cases.map(|(law, accuracy, finer, start, oscillation)| (SOLID, law, accuracy, finer, start, oscillation));
+    // Steps that shrink before a jump, behind a step that is far longer; a transient that no tolerance of a step sees.
+    let hard = [
+        (
+            two_terms,
+            "law = \"lennard_jones\"\nrange = 1.147775e-07",
+            "1e-4",
+            "1e-6",
+            "penetration = 5.66e-8",
+            "quantity = \"penetration\", amplitude = 3.386e-7, frequency = 0.0556, cycles = 1, phase = 1.3",
+        ),
+        (
+            two_terms,
+            "law = \"lennard_jones\"\nrange = 2.66e-7",
+            "1e-3",
+            "1e-6",
+            "force = 3.32e-7",
+            "quantity = \"force\", amplitude = 1.5e-10, frequency = 0.078, cycles = 3, phase = 1.3",
+        ),
+    ];
+    for (solid, law, accuracy, finer, start, oscillation) in cases.into_iter().chain(hard) {
+        let [coarse, fine] = [accuracy, finer].map(|accuracy| solved(&scene(accuracy, solid, law, &swing(start, oscillation))));
         let (ours, theirs) = (cycles(&coarse), cycles(&fine));
-        assert!(ours.len() == theirs.len() && ours.len() >= 2, "{oscillation}");
+        assert!(ours.len() == theirs.len() && !ours.is_empty(), "{oscillation}");
         for (one, other) in ours.iter().zip(&theirs) {
             for name in QUANTITIES.into_iter().chain(["drift"]) {
                 let (Some(a), Some(b)) = (cell(&coarse, one, name), cell(&fine, other, name)) else { continue };

@@ -367,6 +367,11 @@ impl Accuracy {
         Self { order: KINKED_ORDER, most_nodes: KINKED_NODES, mesh, step, force, finer: KINKED_FINER, ..smooth }
     }
 
+    /// The length of steps that no tolerance shortens, over that at a relative error of [`OF_A_CYCLE`].
+    pub(super) fn length_of_unbound_steps(&self) -> f64 {
+        (STEPS_OF_A_CYCLE / self.steps_of_a_cycle).min(1.0)
+    }
+
     /// Checks every tolerance, and the order against that of the mesher.
     ///
     /// # Errors

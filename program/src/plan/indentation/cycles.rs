@@ -19,17 +19,33 @@ const END: f64 = 2.0 * f64::EPSILON;
 
 /// The cycles of a history, coherent.
 pub(super) struct Cycles<'s> {
-    pub(super) cycles: &'s [Cycle<Estimate>],
-    pub(super) spreads: &'s [Spread],
-    /// Segment of the scene of each segment of the solver.
-    pub(super) segments: Vec<usize>,
+    cycles: &'s [Cycle<Estimate>],
+    spreads: &'s [Spread],
+    /// Of each segment of the solver the segment of the scene, and what is not known of the quantities of its cycles, over their scales.
+    segments: Vec<(usize, f64)>,
     /// The longest relaxation time.
-    pub(super) longest: f64,
+    longest: f64,
     /// Where the columns of cycles begin among all.
-    pub(super) place: usize,
+    place: usize,
 }
 
 impl<'s> Cycles<'s> {
+    /// Cycles and their spreads, in segments of the solver that are these of the scene.
+    pub(super) fn new(
+        (cycles, spreads): (&'s [Cycle<Estimate>], &'s [Spread]),
+        segments: impl Iterator<Item = usize>,
+        longest: Option<f64>,
+        place: usize,
+    ) -> Self {
+        let mut segments: Vec<(usize, f64)> = segments.map(|segment| (segment, 0.0)).collect();
+        for cycle in cycles {
+            if let Some((_, unknown)) = segments.get_mut(cycle.segment) {
+                *unknown = unknown.max(relative_error(cycle));
+            }
+        }
+        Self { cycles, spreads, segments, longest: longest.unwrap_or(0.0), place }
+    }
+
     /// The cycles that become rows.
     pub(super) fn shown(&self) -> Vec<&'s Cycle<Estimate>> {
         if self.cycles.len() <= MOST_ROWS {
@@ -52,11 +68,11 @@ impl<'s> Cycles<'s> {
     pub(super) fn put(&self, values: &mut [Option<Estimate>], cycle: &Cycle<Estimate>, scales: &[f64]) {
         let exact = |value: f64| Some(Estimate::exact(value));
         let spread = self.spreads.iter().find(|spread| (spread.segment, spread.cycles[1]) == (cycle.segment, cycle.number));
-        // What is not known of the quantities of cycles, over their scales: a difference of two has it twice, and a drift carries that on.
-        let unknown = self.cycles.iter().filter(|other| other.segment == cycle.segment).map(relative_error).fold(0.0, f64::max);
+        // A difference of two has what is not known of them twice, and a drift carries that on.
+        let (segment, unknown) = self.segments.get(cycle.segment).copied().unwrap_or_default();
         let carried = 2.0 * (DIGITS + unknown) * (self.longest / (cycle.end - cycle.start)).max(1.0);
         let own = [
-            (of_cycle::SEGMENT, exact(self.segments.get(cycle.segment).copied().unwrap_or(0) as f64)),
+            (of_cycle::SEGMENT, exact(segment as f64)),
             (of_cycle::CYCLE, exact(cycle.number as f64)),
             (of_cycle::CYCLE_START, exact(cycle.start)),
             (of_cycle::FREQUENCY, Some(Estimate::relative((cycle.end - cycle.start).recip(), END * cycle.end / (cycle.end - cycle.start)))),
@@ -120,13 +136,9 @@ impl<'s> Cycles<'s> {
 impl IndentationPlan {
     /// The cycles of a solution.
     pub(super) fn cycles<'s>(&'s self, solution: &'s IndentationSolution) -> Cycles<'s> {
-        Cycles {
-            cycles: &solution.cycles,
-            spreads: &solution.integration.spreads,
-            segments: self.timeline.legs.iter().map(|leg| leg.segment).collect(),
-            longest: self.material.longest_relaxation_time().unwrap_or(0.0),
-            place: at::SEGMENT,
-        }
+        let segments = self.timeline.legs.iter().map(|leg| leg.segment);
+        let found = (solution.cycles.as_slice(), solution.integration.spreads.as_slice());
+        Cycles::new(found, segments, self.material.longest_relaxation_time(), at::SEGMENT)
     }
 
     /// Points of the path that are instants, evenly in time: all through an oscillation for which the scene asks for enough of them, else in its

@@ -6,7 +6,7 @@ use super::super::rows::Values;
 use super::FiniteRangePlan;
 use super::bounds::Runs;
 use super::columns::at;
-use super::widened::{EXTREMES, FLOOR};
+use super::widened::EXTREMES;
 use std::f64::consts::{FRAC_PI_4, PI};
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::sphere::cycles;
@@ -20,8 +20,7 @@ pub(super) struct Known {
 }
 
 impl FiniteRangePlan {
-    /// The cycles of two runs. The changes between them are the bounds; where errors of two runs cross, a change is small by chance, so that each
-    /// bound is at least as wide as those of the cycles beside it, and no narrower than a part of the widest of its segment.
+    /// The cycles of two runs. The changes between them are the bounds.
     pub(super) fn cycles_of(&self, runs: &Runs) -> Result<Known, Refusal> {
         let problem = self.problem()?;
         let [(loose, _), (tight, spreads)] = [&runs.loose, &runs.tight].map(|run| cycles(&problem, run));
@@ -39,35 +38,30 @@ impl FiniteRangePlan {
 
     /// As rows have them.
     pub(super) fn as_rows<'k>(&self, known: &'k Known) -> Cycles<'k> {
-        Cycles {
-            cycles: &known.cycles,
-            spreads: &known.spreads,
-            segments: self.course.pieces.iter().map(|piece| piece.segment).collect(),
-            longest: self.material.longest_relaxation_time().unwrap_or(0.0),
-            place: at::SEGMENT,
-        }
+        let segments = self.course.pieces.iter().map(|piece| piece.segment);
+        Cycles::new((&known.cycles, &known.spreads), segments, self.material.longest_relaxation_time(), at::SEGMENT)
     }
 
     /// Whether the cycles of two runs are known as well as is wanted: extremes over the largest values of the history, as its instants are.
     pub(super) fn cycles_agree(&self, runs: &Runs) -> bool {
         let Ok(known) = self.cycles_of(runs) else { return true };
         let cycles = self.as_rows(&known);
-        let mut scales = cycles.scales();
         let states: Vec<State<f64>> = runs.tight.rows.iter().map(|row| self.state(row)).collect();
         let largest = |of: fn(&State<f64>) -> f64| states.iter().map(of).fold(0.0_f64, |most, value| most.max(value.abs()));
-        let of_instants = [
-            (at::PENETRATION, largest(|s| s.penetration)),
-            (at::FORCE, largest(|s| s.force)),
-            (at::CONTACT_RADIUS, largest(|s| s.contact_radius)),
-        ];
-        for (place, scale) in &mut scales {
-            let of = EXTREMES.iter().find(|(extreme, _)| extreme == place).map_or(*place, |(_, of)| *of);
-            *scale = of_instants.iter().filter(|(place, _)| *place == of).fold(*scale, |most, (_, scale)| most.max(*scale));
+        let of_instants = [largest(|s| s.penetration), largest(|s| s.force), largest(|s| s.contact_radius)];
+        let mut scales = vec![0.0_f64; at::ALL];
+        let extremes = EXTREMES.iter().map(|(place, of)| (*place, of_instants.get(of - at::PENETRATION).copied().unwrap_or(0.0)));
+        let held: Vec<(usize, f64)> = cycles.scales().into_iter().chain(extremes).collect();
+        for (place, least) in &held {
+            if let Some(scale) = scales.get_mut(*place) {
+                *scale = scale.max(*least);
+            }
         }
         let mut values: Values = vec![None; at::ALL];
         known.cycles.iter().all(|cycle| {
-            cycles.put(&mut values, cycle, &[]);
-            scales.iter().all(|(place, scale)| {
+            cycles.put(&mut values, cycle, &scales);
+            held.iter().all(|(place, _)| {
+                let scale = scales.get(*place).copied().unwrap_or(0.0);
                 let estimate = values.get(*place).copied().flatten();
                 estimate.is_none_or(|estimate| estimate.error <= self.solver_accuracy * scale.max(estimate.value.abs()))
             })
@@ -85,7 +79,9 @@ impl FiniteRangePlan {
         let of_stiffness = |value: f64| self.reduced.of(value, self.change(stiffness + off, stiffness), unit);
         let width = |pair: [f64; 2]| pair[1] - pair[0];
         let turned = tight.work.abs().max(FRAC_PI_4 * width(tight.penetration) * width(tight.force));
-        let work = self.reduced.of(tight.work, self.change(turned + (loose.work - tight.work).abs(), turned), units.work);
+        // Work and stiffness are of one motion: the work is not known better than the loss.
+        let of_work = (loose.work - tight.work).abs().max(if stiffness > 0.0 { turned * off / stiffness } else { 0.0 });
+        let work = self.reduced.of(tight.work, self.change(turned + of_work, turned), units.work);
         let pair = |loose: [f64; 2], tight: [f64; 2], of: &dyn Fn(f64, f64) -> Estimate| [of(loose[0], tight[0]), of(loose[1], tight[1])];
         Cycle {
             segment: tight.segment,
@@ -111,15 +107,12 @@ fn estimates(cycle: &mut Cycle<Estimate>) -> [&mut Estimate; 9] {
     [work, storage_stiffness, loss_stiffness, a, b, c, d, e, f]
 }
 
-/// Widens the bounds of the cycles of a segment by each other's, and gives the phase its own.
+/// No cycle is known better than the worst of its segment: what a transient is wrong by outlasts the change that shows it. The phase has its own bound.
 fn widen(cycles: &mut [Cycle<Estimate>]) {
-    let errors: Vec<[f64; 9]> = cycles.iter_mut().map(|cycle| estimates(cycle).map(|estimate| estimate.error)).collect();
-    for (index, cycle) in cycles.iter_mut().enumerate() {
-        let beside = errors.get(index.saturating_sub(1)..(index + 2).min(errors.len())).unwrap_or_default();
-        for (place, estimate) in estimates(cycle).into_iter().enumerate() {
-            let of = |all: &[[f64; 9]]| all.iter().filter_map(|errors| errors.get(place)).copied().fold(0.0, f64::max);
-            estimate.error = of(beside).max(FLOOR * of(&errors));
-        }
+    let errors = cycles.iter_mut().map(|cycle| estimates(cycle).map(|estimate| estimate.error));
+    let largest = errors.fold([0.0; 9], |most: [f64; 9], own| std::array::from_fn(|place| most[place].max(own[place])));
+    for cycle in cycles {
+        estimates(cycle).into_iter().zip(largest).for_each(|(estimate, error)| estimate.error = error);
         let stiffness = cycle.storage_stiffness.value.hypot(cycle.loss_stiffness.value);
         let off = cycle.storage_stiffness.error;
         cycle.phase.error = if off < stiffness { (off / stiffness).asin() } else { PI };

@@ -4,7 +4,7 @@ use super::super::rows::Values;
 use super::columns::at;
 
 /// A bound is at least this part of the largest one of its column.
-pub(super) const FLOOR: f64 = 0.05;
+const FLOOR: f64 = 0.05;
 /// Columns that are found, not imposed or derived from others.
 const FOUND: [usize; 8] = [
     at::PENETRATION,
