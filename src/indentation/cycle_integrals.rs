@@ -244,10 +244,11 @@ impl CycleIntegrals {
         };
         let ((depth, depth_behind), (force, force_behind)) = (amplitude(0), amplitude(1));
         let square = depth * depth + depth_behind * depth_behind;
-        let (storage, loss) = if square > 0.0 {
-            ((force * depth + force_behind * depth_behind) / square, (force_behind * depth - force * depth_behind) / square)
-        } else {
+        // What is no number stays none.
+        let (storage, loss) = if square <= 0.0 {
             (0.0, 0.0)
+        } else {
+            ((force * depth + force_behind * depth_behind) / square, (force_behind * depth - force * depth_behind) / square)
         };
         self.number += 1;
         let mut cycle = Cycle {

@@ -82,6 +82,7 @@ mod window;
 mod zone;
 mod zone_work;
 
+pub(crate) use adhesiveless::Sums;
 pub use checkpoint::{Checkpoint, Watch};
 pub use cycle::Cycle;
 pub(crate) use cycle_integrals::{Course, CycleIntegrals, POINTS_BEHIND};

@@ -5,7 +5,7 @@
 
 use super::problem::{ON_TIME, Problem};
 use super::result::{Record, Run};
-use crate::indentation::{Course, Cycle, CycleIntegrals, POINTS_BEHIND, PathPoint, Spread};
+use crate::indentation::{Course, Cycle, CycleIntegrals, POINTS_BEHIND, PathPoint, Spread, Sums};
 
 /// Points of a polynomial are at least this part of its step from each other.
 const SPACING: f64 = 0.5;
@@ -27,8 +27,13 @@ pub fn cycles(problem: &Problem, run: &Run) -> (Vec<Cycle<f64>>, Vec<Spread>) {
         let (mut begun, mut before) = (true, start.time);
         for (index, pair) in way.windows(2).enumerate() {
             let ([from, to], Some(point)) = (pair, path.get(index + 1)) else { continue };
-            let points = around(&path, index, |_| true);
-            let mut sums = integrals.between(&points, seen_from(&points, [from.time, to.time]));
+            // A jump may take no time.
+            let mut sums = if to.time > from.time {
+                let points = around(&path, index, |_| true);
+                integrals.between(&points, seen_from(&points, [from.time, to.time]))
+            } else {
+                Sums::default()
+            };
             sums.work = to.work - from.work;
             if let Some(extremes) = &mut sums.extremes {
                 extremes[2] = radii(&path, index);

@@ -9,7 +9,7 @@ use super::columns::at;
 use super::widened::EXTREMES;
 use std::f64::consts::{FRAC_PI_4, PI};
 use viscotack::estimate::Estimate;
-use viscotack::finite_range::sphere::cycles;
+use viscotack::finite_range::sphere::{BY_CHANCE, cycles};
 use viscotack::indentation::{Cycle, Spread};
 use viscotack::refusal::Refusal;
 
@@ -27,7 +27,8 @@ impl FiniteRangePlan {
         let number = |cycle: &Cycle<f64>| (cycle.segment, cycle.number);
         let pairs = tight.iter().filter_map(|tight| {
             let at = loose.binary_search_by(|loose| number(loose).cmp(&number(tight))).ok()?;
-            Some((loose.get(at)?, tight))
+            // What only one run has is not known.
+            loose.get(at).filter(|loose| loose.storage_stiffness.is_finite() && loose.loss_stiffness.is_finite()).zip(Some(tight))
         });
         let mut cycles: Vec<Cycle<Estimate>> = pairs.map(|(loose, tight)| self.of_cycle(loose, tight)).collect();
         for segment in cycles.chunk_by_mut(|one, other| one.segment == other.segment) {
@@ -76,12 +77,14 @@ impl FiniteRangePlan {
         let off = (loose.storage_stiffness - storage).hypot(loose.loss_stiffness - loss);
         let stiffness = storage.hypot(loss);
         let unit = units.force / units.gap;
-        let of_stiffness = |value: f64| self.reduced.of(value, self.change(stiffness + off, stiffness), unit);
+        // Slopes and areas of a small swing show what both meshes have in common: two runs agree by chance more often than about a force.
+        let by_chance = BY_CHANCE * self.solver_accuracy;
+        let of_stiffness = |value: f64| self.reduced.of(value, self.change(stiffness + off, stiffness) + by_chance * stiffness, unit);
         let width = |pair: [f64; 2]| pair[1] - pair[0];
         let turned = tight.work.abs().max(FRAC_PI_4 * width(tight.penetration) * width(tight.force));
         // Work and stiffness are of one motion: the work is not known better than the loss.
         let of_work = (loose.work - tight.work).abs().max(if stiffness > 0.0 { turned * off / stiffness } else { 0.0 });
-        let work = self.reduced.of(tight.work, self.change(turned + of_work, turned), units.work);
+        let work = self.reduced.of(tight.work, self.change(turned + of_work, turned) + by_chance * turned, units.work);
         let pair = |loose: [f64; 2], tight: [f64; 2], of: &dyn Fn(f64, f64) -> Estimate| [of(loose[0], tight[0]), of(loose[1], tight[1])];
         Cycle {
             segment: tight.segment,
