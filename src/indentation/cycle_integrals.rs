@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 
 /// Points behind a polynomial.
-const POINTS_BEHIND: usize = 6;
+pub(crate) const POINTS_BEHIND: usize = 6;
 /// Halvings of a place of an extreme.
 const HALVINGS: u32 = 40;
 /// Cycles in a row without drift that are stationary.
@@ -22,7 +22,7 @@ const IN_A_ROW: u32 = 2;
 
 /// Adds up one cycle after the other.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct CycleIntegrals {
+pub(crate) struct CycleIntegrals {
     segment: usize,
     oscillation: Oscillation,
     duration: f64,
@@ -63,6 +63,16 @@ impl Sums {
         }
     }
 
+    fn add(&mut self, sums: &Added) {
+        self.work += sums.work;
+        for (moment, part) in self.moments.iter_mut().flatten().zip(sums.moments.iter().flatten()) {
+            *moment += part;
+        }
+        for (quantity, range) in sums.extremes.iter().flatten().enumerate() {
+            range.iter().for_each(|value| self.extend(quantity, *value));
+        }
+    }
+
     fn extend(&mut self, quantity: usize, value: f64) {
         if let Some([least, most]) = self.extremes.get_mut(quantity) {
             *least = least.min(value);
@@ -72,13 +82,13 @@ impl Sums {
 }
 
 /// A polynomial by Newton's divided differences, in times relative to the last point.
-pub(super) struct Course {
+pub(crate) struct Course {
     times: Vec<f64>,
     divided: Vec<f64>,
 }
 
 impl Course {
-    pub(super) fn through(points: &[PathPoint], of: fn(&PathPoint) -> f64) -> Self {
+    pub(crate) fn through(points: &[PathPoint], of: fn(&PathPoint) -> f64) -> Self {
         let zero = points.last().map_or(0.0, |point| point.time);
         let times: Vec<f64> = points.iter().rev().map(|point| point.time - zero).collect();
         let mut divided: Vec<f64> = points.iter().rev().map(of).collect();
@@ -99,10 +109,22 @@ impl Course {
         }
         (value, slope)
     }
+
+    /// Where it turns between two times: its value there.
+    pub(crate) fn turn(&self, [mut low, mut high]: [f64; 2]) -> Option<f64> {
+        let slope = self.at(low).1;
+        (slope * self.at(high).1 < 0.0).then(|| {
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                if slope * self.at(middle).1 > 0.0 { low = middle } else { high = middle }
+            }
+            self.at(low).0
+        })
+    }
 }
 
 impl CycleIntegrals {
-    pub(super) fn new(
+    pub(crate) fn new(
         segment: usize,
         (oscillation, duration): (Oscillation, f64),
         origin: f64,
@@ -151,37 +173,31 @@ impl CycleIntegrals {
 
     /// Adds the last step, which began at a (negative) time before the last point.
     fn add(&mut self, begin: f64) {
-        let now = self.points.last().map_or(0.0, |point| point.time);
-        let courses = [
-            Course::through(&self.points, |point| point.penetration),
-            Course::through(&self.points, |point| point.force),
-            Course::through(&self.points, |point| point.contact_radius),
-        ];
+        let sums = self.between(&self.points, [begin, 0.0]);
+        self.sums.add(&sums);
+    }
+
+    /// Sums between two times, relative to the last of some points, along the polynomials through them.
+    pub(crate) fn between(&self, points: &[PathPoint], [begin, end]: [f64; 2]) -> Added {
+        let now = points.last().map_or(0.0, |point| point.time);
+        let of: [fn(&PathPoint) -> f64; 3] = [|point| point.penetration, |point| point.force, |point| point.contact_radius];
+        let courses = of.map(|of| Course::through(points, of));
+        let mut sums = Added::default();
         for (x, weight) in RULE.nodes.iter().zip(RULE.weights) {
-            let time = begin * (1.0 - x);
-            let width = -begin * weight;
-            let [(depth, depth_rate), (force, _), _] = [courses[0].at(time), courses[1].at(time), (0.0, 0.0)];
-            self.sums.work += width * force * depth_rate;
-            let since = (now + time - self.origin).clamp(0.0, self.duration);
-            let (sin, cos) = self.oscillation.angle(since, self.duration).sin_cos();
-            let pace = TAU * self.oscillation.frequency_at(since, self.duration) * width;
-            for (moments, value) in self.sums.moments.iter_mut().zip([depth, force]) {
-                for (moment, factor) in moments.iter_mut().zip([1.0, sin, cos]) {
-                    *moment += pace * factor * value;
-                }
+            let (time, width) = (begin + (end - begin) * x, (end - begin) * weight);
+            let ((depth, depth_rate), (force, _)) = (courses[0].at(time), courses[1].at(time));
+            sums.work += width * force * depth_rate;
+            let weights = self.weights(now + time);
+            for (moments, value) in sums.moments.iter_mut().zip([depth, force]) {
+                moments.iter_mut().zip(weights).for_each(|(moment, weight)| *moment += width * weight * value);
             }
         }
-        for (quantity, course) in courses.iter().enumerate() {
-            let (mut low, mut high) = (begin, 0.0);
-            let slope = course.at(low).1;
-            if slope * course.at(high).1 < 0.0 {
-                for _ in 0..HALVINGS {
-                    let middle = 0.5 * (low + high);
-                    if slope * course.at(middle).1 > 0.0 { low = middle } else { high = middle }
-                }
-                self.sums.extend(quantity, course.at(low).0);
-            }
-        }
+        sums.extremes = Some(courses.map(|course| {
+            let last = course.at(end).0;
+            let turn = course.turn([begin, end]).unwrap_or(last);
+            [last.min(turn), last.max(turn)]
+        }));
+        sums
     }
 
     /// The weights of a value in its moments at a time: φ̇, φ̇ sin φ and φ̇ cos φ.
@@ -193,16 +209,10 @@ impl CycleIntegrals {
     }
 
     /// A point has been reached, and all up to it has been added up elsewhere.
-    pub(super) fn passed(&mut self, point: &PathPoint, sums: &Added) {
+    pub(crate) fn passed(&mut self, point: &PathPoint, sums: &Added) {
         self.points.clear();
         self.points.push(*point);
-        self.sums.work += sums.work;
-        for (moment, part) in self.sums.moments.iter_mut().flatten().zip(sums.moments.iter().flatten()) {
-            *moment += part;
-        }
-        for (quantity, range) in sums.extremes.iter().flatten().enumerate() {
-            range.iter().for_each(|value| self.sums.extend(quantity, *value));
-        }
+        self.sums.add(sums);
         for (quantity, value) in [point.penetration, point.force, point.contact_radius].into_iter().enumerate() {
             self.sums.extend(quantity, value);
         }
@@ -221,22 +231,24 @@ impl CycleIntegrals {
     }
 
     /// The cycle that ends now, and whether cycles have become stationary, to a tolerance.
-    pub(super) fn finished(&mut self, end: f64, tolerance: f64) -> (Cycle<f64>, bool) {
+    pub(crate) fn finished(&mut self, end: f64, tolerance: f64) -> (Cycle<f64>, bool) {
         let now = self.points.last().copied();
         let at_end = now.map_or(self.sums.first, |point| [point.penetration, point.force]);
         let sums = self.sums;
-        // The straight line from end to end has ∫φ sin φ dφ = −2π, and no cosine.
+        // The straight line from end to end, from a phase φ₀ on, has ∫(φ − φ₀) sin φ dφ = −2π cos φ₀ and ∫(φ − φ₀) cos φ dφ = 2π sin φ₀.
+        let (sin, cos) = self.oscillation.phase.sin_cos();
         let amplitude = |quantity: usize| {
             let moments = sums.moments.get(quantity).copied().unwrap_or_default();
             let rise = at_end.get(quantity).copied().unwrap_or(0.0) - sums.first.get(quantity).copied().unwrap_or(0.0);
-            ((moments[1] + rise) / PI, moments[2] / PI)
+            ((moments[1] + cos * rise) / PI, (moments[2] - sin * rise) / PI)
         };
         let ((depth, depth_behind), (force, force_behind)) = (amplitude(0), amplitude(1));
         let square = depth * depth + depth_behind * depth_behind;
-        let (storage, loss) = if square > 0.0 {
-            ((force * depth + force_behind * depth_behind) / square, (force_behind * depth - force * depth_behind) / square)
-        } else {
+        // What is no number stays none.
+        let (storage, loss) = if square <= 0.0 {
             (0.0, 0.0)
+        } else {
+            ((force * depth + force_behind * depth_behind) / square, (force_behind * depth - force * depth_behind) / square)
         };
         self.number += 1;
         let mut cycle = Cycle {
@@ -269,7 +281,7 @@ impl CycleIntegrals {
 
 impl CycleIntegrals {
     /// By how much the cycles differ; none where the frequency itself goes up or down.
-    pub(super) fn spread(&self) -> Option<Spread> {
+    pub(crate) fn spread(&self) -> Option<Spread> {
         self.spread.filter(|_| self.oscillation.frequency.to_bits() == self.oscillation.end_frequency.to_bits())
     }
 }

@@ -82,8 +82,10 @@ mod window;
 mod zone;
 mod zone_work;
 
+pub(crate) use adhesiveless::Sums;
 pub use checkpoint::{Checkpoint, Watch};
 pub use cycle::Cycle;
+pub(crate) use cycle_integrals::{Course, CycleIntegrals, POINTS_BEHIND};
 pub use edge_law::EdgeLaw;
 pub use elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius};
 pub use elliptic::elliptic_k;

@@ -7,6 +7,7 @@ mod support;
 mod independent;
 mod line;
 mod sphere;
+mod sphere_cycles;
 mod sphere_samples;
 mod stability;
 mod tips;

@@ -147,6 +147,11 @@ fn ramps_forces_and_frames_tell_one_stiffness() {
     let held = 4e-3 * 0.7e6 * 4e-5;
     let cases = [
         ("ramp", punch(History::penetration(4e-5).ramp_oscillating(5e-5, oscillation, 20.0), 1e-6)),
+        // The straight line beneath is another part of sin φ and cos φ where the phase begins at another place.
+        (
+            "ramp from a phase",
+            punch(History::penetration(4e-5).ramp_oscillating(5e-5, Oscillation { phase: 1.1, ..oscillation }, 20.0), 1e-6),
+        ),
         ("force", punch(History::force(held).oscillate(force, 20.0), 1e-6)),
         (
             "frame",

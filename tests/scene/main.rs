@@ -9,6 +9,7 @@ mod support;
 mod axis_units;
 mod bytes_mutated;
 mod cautions;
+mod cycles_at_a_distance;
 mod decks;
 mod fit_of_scenes;
 mod histories;

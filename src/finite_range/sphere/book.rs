@@ -2,8 +2,12 @@
 
 use super::kept_surface::Surface;
 use super::mesh::Mesher;
+<<<<<<< HEAD
 use super::newton::Row;
 use super::problem::{Accuracy, Control, Motion, Problem, Start};
+=======
+use super::problem::{Accuracy, Control, Motion, ON_TIME, Problem, Start};
+>>>>>>> cycles
 use super::result::{Certificate, Jump, LANDED, LegSummary, Record, Run, SUM_OF_DURATIONS};
 use super::state::{Energies, State};
 use super::step::Solver;
@@ -42,6 +46,7 @@ impl Book {
         let initial = state.energies(&solver.surface, &solver.chain, solver.coupling);
         let mut instants: Vec<f64> = problem.instants.iter().chain(&problem.surfaces).copied().collect();
         instants.sort_by(f64::total_cmp);
+        instants = with_ends_of_cycles(problem, instants);
         let mut wanted = problem.surfaces.clone();
         wanted.sort_by(|a, b| b.total_cmp(a));
         let mut book = Self {
@@ -159,6 +164,26 @@ impl Book {
         };
         Run { rows: self.rows, legs: self.legs, surfaces: self.surfaces, jumps: self.jumps, losses: self.losses, detachment, certificate }
     }
+}
+
+/// Instants with the ends of cycles, on which steps end as well; an end that is an instant but for rounding is that instant.
+fn with_ends_of_cycles(problem: &Problem, mut instants: Vec<f64>) -> Vec<f64> {
+    let (mut begin, mut ends) = (0.0, Vec::new());
+    for leg in &problem.history {
+        let mut before = begin;
+        for end in leg.motion.ends_of_cycles(begin) {
+            let after = instants.partition_point(|instant| *instant < end);
+            let near = [after.checked_sub(1), Some(after)].into_iter().flatten().filter_map(|place| instants.get(place));
+            if near.into_iter().all(|instant| (instant - end).abs() > ON_TIME * (end - before)) {
+                ends.push(end);
+            }
+            before = end;
+        }
+        begin += leg.motion.duration();
+    }
+    instants.append(&mut ends);
+    instants.sort_by(f64::total_cmp);
+    instants
 }
 
 /// An upper estimate of the penetrations of the history.

@@ -17,6 +17,8 @@ const SAFETY: f64 = 0.85;
 const GROWTH: f64 = 2.5;
 const CAREFUL_GROWTH: f64 = 1.25;
 const CAREFUL_STEPS: usize = 6;
+/// Order of the method.
+const ORDER: i32 = 4;
 /// Without a solution at this part of the usual step, over the tolerance of a step, there is a fold (under force control: at a smaller one). What a
 /// jump releases is wrong by that part, so that it must fall with the tolerance.
 const FOLD_PER_ACCURACY: f64 = 0.1;
@@ -103,11 +105,14 @@ impl Integration<'_> {
     fn leg(&mut self, leg: &Leg) -> Result<bool, Refusal> {
         let drive = Drive::new(*leg, &self.state);
         let end = drive.begin + drive.motion.duration();
-        let longest = drive.motion.longest_step();
+        let longest = drive.motion.longest_step(self.solver.accuracy.steps_of_a_cycle);
         self.state.rate = None;
         let mut window = Window { before: None, best: self.state.clone(), zero: None };
         let first = self.book.record(&self.solver, &self.state);
-        let (mut h, mut careful) = (first_step(&drive, end).min(longest), 0);
+        // Steps that no tolerance shortens, with which a leg begins, differ between two runs all the same: else both would err alike.
+        let finer = self.solver.accuracy.length_of_unbound_steps();
+        let quickest = 1.0 + (GROWTH - 1.0) * finer;
+        let (mut h, mut careful) = ((first_step(&drive, end) * finer.powi(ORDER)).min(longest), 0);
         let mut usual = h;
         let (mut remeshed, mut shifted, mut balanced) = (0, 0, false);
         let mut detached = false;
@@ -176,7 +181,7 @@ impl Integration<'_> {
             let mut new = trial.state;
             new.time = next.unwrap_or(new.time);
             self.accepted(new, &drive, &mut window)?;
-            let growth = if careful > 0 { CAREFUL_GROWTH } else { GROWTH };
+            let growth = if careful > 0 { CAREFUL_GROWTH.min(quickest) } else { quickest };
             careful = careful.saturating_sub(1);
             // A step cut short by an instant says nothing about the next one.
             h = (step * factor.min(growth)).max(if next.is_some() { h } else { 0.0 }).min(longest);

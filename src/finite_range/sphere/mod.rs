@@ -17,6 +17,7 @@
 //! | `newton` | one elastic adhesive contact |
 //! | `start`, `zero_range`, `jump`, `search` | first state, from the contact of zero range; passing a fold; largest tension and zero force |
 //! | `integration`, `book`, `kept_surface`, `result`, `assess` | the run, its record, its error bounds |
+//! | `cycles` | stiffness, loss and extremes of every cycle of an oscillation, from the record |
 //! | `exponential` | a second integrator, as a check |
 //!
 //! Sources: Greenwood (1997) and Feng (2000) for the elastic sphere; Maghami, Wang, Tricarico, Ciavarella, Li & Papangelo (2024) for the
@@ -30,6 +31,7 @@
 mod assess;
 mod book;
 mod chain;
+mod cycles;
 mod drive;
 mod exponential;
 mod integration;
@@ -51,6 +53,7 @@ mod tip;
 mod zero_range;
 
 pub use assess::{Assessed, BY_CHANCE, Bounds, InstantBounds, KINKED, assessed};
+pub use cycles::cycles;
 pub use exponential::run_by_exponentials;
 pub use integration::{run, run_watched};
 pub use kept_surface::{Place, Surface};

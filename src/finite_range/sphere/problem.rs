@@ -11,8 +11,12 @@ use crate::finite_range::law::{Attraction, Law};
 use crate::indentation::Oscillation;
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 
-/// Steps of a cycle, at least.
+/// Steps of a cycle, at least, at a relative error of [`OF_A_CYCLE`]; for smaller ones more, as the method is of order four.
 const STEPS_OF_A_CYCLE: f64 = 16.0;
+const OF_A_CYCLE: f64 = 1e-3;
+const ORDER: f64 = 0.25;
+/// Times nearer than this part of a cycle are one.
+pub(super) const ON_TIME: f64 = 1e-9;
 
 /// The viscoelastic half-space, relative to its relaxed modulus: creep compliance 1/β + Σ f_j (1 − 1/β)(1 − e^{−t/τ_j}).
 #[derive(Debug, Clone, PartialEq)]
@@ -114,14 +118,34 @@ impl Motion {
         }
     }
 
+    /// What swings, if anything does.
+    #[must_use]
+    pub(super) fn oscillation(self) -> Option<Oscillation> {
+        match self {
+            Self::Ramp { .. } | Self::Hold(_) => None,
+            Self::Oscillation { amplitude, period, .. } => Some(Oscillation::steady(amplitude, 1.0 / period)),
+            Self::Swing { oscillation, .. } => Some(oscillation),
+        }
+    }
+
     /// The longest step that sees every swing; without bound where nothing swings.
     #[must_use]
-    pub(super) fn longest_step(self) -> f64 {
-        match self {
-            Self::Ramp { .. } | Self::Hold(_) => f64::INFINITY,
-            Self::Oscillation { period, .. } => period / STEPS_OF_A_CYCLE,
-            Self::Swing { oscillation, .. } => 1.0 / (STEPS_OF_A_CYCLE * oscillation.frequency.max(oscillation.end_frequency)),
-        }
+    pub(super) fn longest_step(self, steps_of_a_cycle: f64) -> f64 {
+        self.oscillation().map_or(f64::INFINITY, |swing| 1.0 / (steps_of_a_cycle * swing.frequency.max(swing.end_frequency)))
+    }
+
+    /// When whole cycles end in a leg that begins at a time; none without an oscillation.
+    pub(super) fn ends_of_cycles(self, begin: f64) -> impl Iterator<Item = f64> {
+        let duration = self.duration();
+        let oscillation = self.oscillation();
+        let end = move |number: u64| {
+            let oscillation = oscillation?;
+            let since = oscillation.time_of(number as f64, duration)?;
+            // The last one may be the end of the leg but for rounding.
+            let is_last = (duration - since) * oscillation.frequency_at(duration, duration) < ON_TIME;
+            Some(begin + if is_last { duration } else { since })
+        };
+        (1..).map_while(end)
     }
 
     /// The imposed value and its rate at a time since the beginning of the leg, where the value was `from`.
@@ -276,6 +300,8 @@ pub struct Accuracy {
     pub force: f64,
     /// Newton's last correction of the gap over `step`.
     pub newton: f64,
+    /// Steps of a cycle of an oscillation, at least: what a cycle does is relative to its amplitude, however small that is beside the range.
+    pub steps_of_a_cycle: f64,
     /// Attempted steps after which the run ends with a refusal.
     pub budget: usize,
     /// What the tolerances of the mesh and of a step are multiplied by to assess a run, between 0 and 1.
@@ -309,7 +335,8 @@ impl Accuracy {
         let relative = relative.clamp(1e-8, 1e-2);
         let force = (1e-2 * (relative / 1e-5).powf(FORCE_WITH_STEP)).clamp(2e-4, 5e-2);
         let mesh = (1e-2 * (relative / 1e-5)).clamp(1e-5, 1e-2);
-        Self { order: 10, mesh, step: relative, force, newton: 0.05, budget: 100_000, finer: FINER, most_nodes: 1200 }
+        let steps_of_a_cycle = STEPS_OF_A_CYCLE * (OF_A_CYCLE / relative).max(1.0).powf(ORDER);
+        Self { order: 10, mesh, step: relative, force, newton: 0.05, steps_of_a_cycle, budget: 100_000, finer: FINER, most_nodes: 1200 }
     }
 
     /// The same for a law. Where it is kinked, elements of low order pay, the error falls in proportion to the tolerance of the mesh (the steps in
@@ -325,6 +352,11 @@ impl Accuracy {
         Self { order: KINKED_ORDER, most_nodes: KINKED_NODES, mesh, step, force, finer: KINKED_FINER, ..smooth }
     }
 
+    /// The length of steps that no tolerance shortens, over that at a relative error of [`OF_A_CYCLE`].
+    pub(super) fn length_of_unbound_steps(&self) -> f64 {
+        (STEPS_OF_A_CYCLE / self.steps_of_a_cycle).min(1.0)
+    }
+
     /// Checks every tolerance, and the order against that of the mesher.
     ///
     /// # Errors
@@ -334,6 +366,7 @@ impl Accuracy {
         require_positive("step tolerance", self.step)?;
         require_positive("force tolerance", self.force)?;
         require_positive("newton tolerance", self.newton)?;
+        require_positive("steps of a cycle", self.steps_of_a_cycle)?;
         if !(self.finer > 0.0 && self.finer < 1.0) {
             return Err(Refusal::out_of_range("finer", self.finer, "between 0 and 1"));
         }
@@ -344,7 +377,8 @@ impl Accuracy {
     /// The tolerances of the run that assesses this one.
     #[must_use]
     pub fn tightened(self) -> Self {
-        let Self { mesh, step, force, finer, .. } = self;
-        Self { mesh: finer * mesh, step: finer * step, force: finer.powf(FORCE_WITH_STEP) * force, ..self }
+        let Self { mesh, step, force, finer, steps_of_a_cycle, .. } = self;
+        let steps_of_a_cycle = steps_of_a_cycle * finer.powf(-ORDER);
+        Self { mesh: finer * mesh, step: finer * step, force: finer.powf(FORCE_WITH_STEP) * force, steps_of_a_cycle, ..self }
     }
 }

@@ -25,14 +25,14 @@ const NARROWINGS: u32 = 45;
 
 /// Sums over the time since the last point.
 #[derive(Debug, Clone, Copy, Default)]
-pub(in crate::indentation) struct Sums {
+pub(crate) struct Sums {
     /// ∫F dΔ and ∫P_d dt.
-    pub(in crate::indentation) work: f64,
-    pub(in crate::indentation) lost: f64,
+    pub(crate) work: f64,
+    pub(crate) lost: f64,
     /// ∫x dφ, ∫x sin φ dφ, ∫x cos φ dφ of Δ and of F.
-    pub(in crate::indentation) moments: [[f64; 3]; 2],
+    pub(crate) moments: [[f64; 3]; 2],
     /// Smallest and largest Δ, F and a; none where nothing was added.
-    pub(in crate::indentation) extremes: Option<[[f64; 2]; 3]>,
+    pub(crate) extremes: Option<[[f64; 2]; 3]>,
 }
 
 /// A drive that has been gone along one way, from a line before it.

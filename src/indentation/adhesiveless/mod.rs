@@ -44,5 +44,5 @@ mod state;
 mod times;
 mod walk;
 
-pub(super) use ledger::Sums;
+pub(crate) use ledger::Sums;
 pub(super) use solve::{course, solve, surface_at};

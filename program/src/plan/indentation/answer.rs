@@ -19,7 +19,11 @@ impl IndentationPlan {
         let last = solution.instants.last().map(|instant| self.of_instant(instant));
         let end = |place: usize| cell(last.as_ref(), place);
         let exact = |number: f64| Some(Estimate::exact(number));
-        let of_cycle = solution.cycles.last().map(|cycle| self.of_cycle(solution, cycle, scales));
+        let of_cycle = solution.cycles.last().map(|cycle| {
+            let mut values: Values = vec![None; COLUMNS.len()];
+            self.cycles(solution).put(&mut values, cycle, scales);
+            values
+        });
         let cycle = |place: usize| cell(of_cycle.as_ref(), place);
         let protocol = self.protocol(solution);
         let dwell = protocol.dwell(solution.largest_tension.map_or(f64::INFINITY, |tension| tension.time.value));

@@ -28,8 +28,41 @@ pub(super) struct Definition {
     meaning: &'static str,
 }
 
+impl Definition {
+    /// As a table in these units has it.
+    pub(super) fn column(&self, units: Units) -> Column {
+        Column { name: self.name, unit: unit(self.measure, units).to_owned(), meaning: self.meaning }
+    }
+}
+
+/// Positions of the columns of cycles and repetitions from the first of them on, in both theories of an indenter.
+pub(super) mod of_cycle {
+    pub(crate) const SEGMENT: usize = 0;
+    pub(crate) const CYCLE: usize = 1;
+    pub(crate) const CYCLE_START: usize = 2;
+    pub(crate) const FREQUENCY: usize = 3;
+    pub(crate) const WORK_PER_CYCLE: usize = 4;
+    pub(crate) const STORAGE_STIFFNESS: usize = 5;
+    pub(crate) const LOSS_STIFFNESS: usize = 6;
+    pub(crate) const PHASE: usize = 7;
+    pub(crate) const SMALLEST_PENETRATION: usize = 8;
+    pub(crate) const LARGEST_PENETRATION: usize = 9;
+    pub(crate) const SMALLEST_FORCE: usize = 10;
+    pub(crate) const LARGEST_FORCE: usize = 11;
+    pub(crate) const SMALLEST_CONTACT_RADIUS: usize = 12;
+    pub(crate) const LARGEST_CONTACT_RADIUS: usize = 13;
+    pub(crate) const DRIFT: usize = 14;
+    pub(crate) const SPREAD: usize = 15;
+    /// How many there are.
+    pub(crate) const ALL: usize = 16;
+    /// Those that only an oscillation has.
+    pub(crate) const OF_AN_OSCILLATION: [usize; 6] = [FREQUENCY, STORAGE_STIFFNESS, LOSS_STIFFNESS, PHASE, DRIFT, SPREAD];
+}
+
 /// Positions among all columns: also of a scene's own rows up to [`at::BALANCE_DEFECT`], behind it by [`position`].
 pub(super) mod at {
+    use super::of_cycle;
+
     pub(crate) const TIME: usize = 0;
     pub(crate) const PENETRATION: usize = 1;
     pub(crate) const FORCE: usize = 2;
@@ -48,21 +81,21 @@ pub(super) mod at {
     pub(crate) const TIP_RELEASE_RATE: usize = 15;
     pub(crate) const ENERGY_RELEASE_RATE: usize = 16;
     pub(crate) const SEGMENT: usize = 17;
-    pub(crate) const CYCLE: usize = 18;
-    pub(crate) const CYCLE_START: usize = 19;
-    pub(crate) const FREQUENCY: usize = 20;
-    pub(crate) const WORK_PER_CYCLE: usize = 21;
-    pub(crate) const STORAGE_STIFFNESS: usize = 22;
-    pub(crate) const LOSS_STIFFNESS: usize = 23;
-    pub(crate) const PHASE: usize = 24;
-    pub(crate) const SMALLEST_PENETRATION: usize = 25;
-    pub(crate) const LARGEST_PENETRATION: usize = 26;
-    pub(crate) const SMALLEST_FORCE: usize = 27;
-    pub(crate) const LARGEST_FORCE: usize = 28;
-    pub(crate) const SMALLEST_CONTACT_RADIUS: usize = 29;
-    pub(crate) const LARGEST_CONTACT_RADIUS: usize = 30;
-    pub(crate) const DRIFT: usize = 31;
-    pub(crate) const SPREAD: usize = 32;
+    pub(crate) const CYCLE: usize = SEGMENT + of_cycle::CYCLE;
+    pub(crate) const CYCLE_START: usize = SEGMENT + of_cycle::CYCLE_START;
+    pub(crate) const FREQUENCY: usize = SEGMENT + of_cycle::FREQUENCY;
+    pub(crate) const WORK_PER_CYCLE: usize = SEGMENT + of_cycle::WORK_PER_CYCLE;
+    pub(crate) const STORAGE_STIFFNESS: usize = SEGMENT + of_cycle::STORAGE_STIFFNESS;
+    pub(crate) const LOSS_STIFFNESS: usize = SEGMENT + of_cycle::LOSS_STIFFNESS;
+    pub(crate) const PHASE: usize = SEGMENT + of_cycle::PHASE;
+    pub(crate) const SMALLEST_PENETRATION: usize = SEGMENT + of_cycle::SMALLEST_PENETRATION;
+    pub(crate) const LARGEST_PENETRATION: usize = SEGMENT + of_cycle::LARGEST_PENETRATION;
+    pub(crate) const SMALLEST_FORCE: usize = SEGMENT + of_cycle::SMALLEST_FORCE;
+    pub(crate) const LARGEST_FORCE: usize = SEGMENT + of_cycle::LARGEST_FORCE;
+    pub(crate) const SMALLEST_CONTACT_RADIUS: usize = SEGMENT + of_cycle::SMALLEST_CONTACT_RADIUS;
+    pub(crate) const LARGEST_CONTACT_RADIUS: usize = SEGMENT + of_cycle::LARGEST_CONTACT_RADIUS;
+    pub(crate) const DRIFT: usize = SEGMENT + of_cycle::DRIFT;
+    pub(crate) const SPREAD: usize = SEGMENT + of_cycle::SPREAD;
     pub(crate) const STEPS: usize = 33;
     pub(crate) const PANELS: usize = 34;
     pub(crate) const PULL_OFF_FORCE: usize = 35;
@@ -116,7 +149,7 @@ pub(super) mod at {
     ];
 }
 
-const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
+pub(super) const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
     Definition { name, measure, meaning }
 }
 
@@ -124,11 +157,49 @@ const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> 
 pub(super) const DWELL_RADIUS: &str =
     "Contact radius at the end of the last hold in contact before the largest tension; empty without a hold.";
 pub(super) const TIME_TO_DETACH: &str = "From the start of the last retraction, where what is imposed begins to fall (in a measured table, where it is largest), to the loss of contact.";
-pub(super) const SEGMENT: &str =
-    "In rows of cycles and repetitions: which segment of the history oscillates, or begins what repeats, from 0.";
-pub(super) const CYCLE: &str = "Which cycle of the segment, or which time through what repeats, from 1. Of more than 2000 some are rows, evenly, with the first and the last.";
-pub(super) const CYCLE_START: &str = "When the cycle or the repetition begins; its end is the row's time.";
-pub(super) const WORK_PER_CYCLE: &str = "∮F dΔ over the cycle: what the body and the edge dissipate of it. ∫F dΔ over a repetition; its bound is stated, not held to the accuracy.";
+/// The columns of cycles and repetitions, in the order of [`of_cycle`].
+pub(super) const OF_CYCLE: [Definition; of_cycle::ALL] = [
+    column(
+        "segment",
+        Measure::Number,
+        "In rows of cycles and repetitions: which segment of the history oscillates, or begins what repeats, from 0.",
+    ),
+    column(
+        "cycle",
+        Measure::Number,
+        "Which cycle of the segment, or which time through what repeats, from 1. Of more than 2000 some are rows, evenly, with the first and the last.",
+    ),
+    column("cycle_start", Measure::Time, "When the cycle or the repetition begins; its end is the row's time."),
+    column("frequency", Measure::Frequency, "One over the cycle's length."),
+    column(
+        "work_per_cycle",
+        Measure::Energy,
+        "∮F dΔ over the cycle: what the body and its adhesion dissipate in it. ∫F dΔ over a repetition; its bound is stated, not held to the accuracy.",
+    ),
+    column(
+        "storage_stiffness",
+        Measure::Stiffness,
+        "Real part of force over penetration, of the fundamental, without the straight line between both ends of the cycle.",
+    ),
+    column("loss_stiffness", Measure::Stiffness, "Imaginary part of the same."),
+    column("phase", Measure::Angle, "By which the force leads the penetration."),
+    column("smallest_penetration", Measure::Length, "Over the cycle or the repetition."),
+    column("largest_penetration", Measure::Length, "Over the cycle or the repetition."),
+    column("smallest_force", Measure::Force, "Over the cycle or the repetition: the strongest pull, if negative."),
+    column("largest_force", Measure::Force, "Over the cycle or the repetition."),
+    column("smallest_contact_radius", Measure::Length, "Over the cycle or the repetition."),
+    column("largest_contact_radius", Measure::Length, "Over the cycle or the repetition."),
+    column(
+        "drift",
+        Measure::Number,
+        "Change of mean, work and extremes against the cycle before, over their scales, carried on for the longest relaxation time.",
+    ),
+    column(
+        "spread",
+        Measure::Number,
+        "In the last cycle of a segment of one frequency: the largest difference among all its cycles, the first tenth left out, of work, stiffnesses and extremes, over their scales.",
+    ),
+];
 
 /// All columns, of which a scene has those in [`present`].
 pub(super) const COLUMNS: [Definition; at::ALL] = [
@@ -173,34 +244,22 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         Measure::EnergyPerArea,
         "G = dU/dA − F dΔ/dA, the same less what the memory dissipates for each area; empty where the edge rests or turns.",
     ),
-    column("segment", Measure::Number, SEGMENT),
-    column("cycle", Measure::Number, CYCLE),
-    column("cycle_start", Measure::Time, CYCLE_START),
-    column("frequency", Measure::Frequency, "One over the cycle's length."),
-    column("work_per_cycle", Measure::Energy, WORK_PER_CYCLE),
-    column(
-        "storage_stiffness",
-        Measure::Stiffness,
-        "Real part of force over penetration, of the fundamental, without the straight line between both ends of the cycle.",
-    ),
-    column("loss_stiffness", Measure::Stiffness, "Imaginary part of the same."),
-    column("phase", Measure::Angle, "By which the force leads the penetration."),
-    column("smallest_penetration", Measure::Length, "Over the cycle or the repetition."),
-    column("largest_penetration", Measure::Length, "Over the cycle or the repetition."),
-    column("smallest_force", Measure::Force, "Over the cycle or the repetition: the strongest pull, if negative."),
-    column("largest_force", Measure::Force, "Over the cycle or the repetition."),
-    column("smallest_contact_radius", Measure::Length, "Over the cycle or the repetition."),
-    column("largest_contact_radius", Measure::Length, "Over the cycle or the repetition."),
-    column(
-        "drift",
-        Measure::Number,
-        "Change of mean, work and extremes against the cycle before, over their scales, carried on for the longest relaxation time.",
-    ),
-    column(
-        "spread",
-        Measure::Number,
-        "In the last cycle of a segment of one frequency: the largest difference among all its cycles, the first tenth left out, of work, stiffnesses and extremes, over their scales.",
-    ),
+    OF_CYCLE[of_cycle::SEGMENT],
+    OF_CYCLE[of_cycle::CYCLE],
+    OF_CYCLE[of_cycle::CYCLE_START],
+    OF_CYCLE[of_cycle::FREQUENCY],
+    OF_CYCLE[of_cycle::WORK_PER_CYCLE],
+    OF_CYCLE[of_cycle::STORAGE_STIFFNESS],
+    OF_CYCLE[of_cycle::LOSS_STIFFNESS],
+    OF_CYCLE[of_cycle::PHASE],
+    OF_CYCLE[of_cycle::SMALLEST_PENETRATION],
+    OF_CYCLE[of_cycle::LARGEST_PENETRATION],
+    OF_CYCLE[of_cycle::SMALLEST_FORCE],
+    OF_CYCLE[of_cycle::LARGEST_FORCE],
+    OF_CYCLE[of_cycle::SMALLEST_CONTACT_RADIUS],
+    OF_CYCLE[of_cycle::LARGEST_CONTACT_RADIUS],
+    OF_CYCLE[of_cycle::DRIFT],
+    OF_CYCLE[of_cycle::SPREAD],
     column("steps", Measure::Number, "Of the state, and in the last instant's row: steps of the integration that its numbers are from."),
     column(
         "most_panels",
@@ -242,14 +301,19 @@ pub(super) fn has_measured_force(indentation: &Indentation) -> bool {
 }
 
 /// Whether anything oscillates.
-pub(super) fn oscillates(indentation: &Indentation) -> bool {
+fn oscillates(indentation: &Indentation) -> bool {
     indentation.history.segments.iter().any(|segment| matches!(segment, HistorySegment::Oscillation(_)))
 }
 
 /// Whether anything is gone through again and again, but for oscillations.
-pub(super) fn repeats(indentation: &Indentation) -> bool {
+fn repeats(indentation: &Indentation) -> bool {
     let cycles = |segment: &HistorySegment| matches!(segment, HistorySegment::Cycles { .. });
     !indentation.history.repetitions.is_empty() || indentation.history.segments.iter().any(cycles)
+}
+
+/// Whether a scene has a column of cycles and repetitions, by its place among them.
+pub(super) fn has_of_cycle(indentation: &Indentation, place: usize) -> bool {
+    oscillates(indentation) || repeats(indentation) && !of_cycle::OF_AN_OSCILLATION.contains(&place)
 }
 
 /// Which of all columns a scene has, in order.
@@ -258,8 +322,7 @@ pub(super) fn present(indentation: &Indentation) -> Vec<usize> {
         at::FRAME => indentation.frame_stiffness.is_some(),
         at::MEASURED_FORCE | at::FORCE_DEVIATION | at::RMS_DEVIATION | at::DETERMINATION => has_measured_force(indentation),
         at::TIP_RELEASE_RATE | at::ENERGY_RELEASE_RATE => indentation.energies,
-        at::FREQUENCY | at::STORAGE_STIFFNESS | at::LOSS_STIFFNESS | at::PHASE | at::DRIFT | at::SPREAD => oscillates(indentation),
-        place if (at::SEGMENT..at::STEPS).contains(&place) => oscillates(indentation) || repeats(indentation),
+        place if (at::SEGMENT..at::STEPS).contains(&place) => has_of_cycle(indentation, place - at::SEGMENT),
         _ => true,
     };
     (0..at::ALL).filter(has).collect()
@@ -303,12 +366,7 @@ pub(super) fn unit(measure: Measure, units: Units) -> &'static str {
 }
 
 pub(super) fn columns(indentation: &Indentation, units: Units) -> Vec<Column> {
-    let column = |definition: Definition| Column {
-        name: definition.name,
-        unit: unit(definition.measure, units).to_owned(),
-        meaning: definition.meaning,
-    };
-    present(indentation).into_iter().filter_map(|place| COLUMNS.get(place)).copied().map(column).collect()
+    present(indentation).into_iter().filter_map(|place| COLUMNS.get(place)).map(|definition| definition.column(units)).collect()
 }
 
 /// Positions of the fields at a place.

@@ -1,11 +1,10 @@
 //! The plots of oscillations: envelopes, stiffness and loss against frequency or time, the last cycle.
 
-use super::IndentationPlan;
-use super::columns::{at, position};
-use super::figures::State;
-use super::rows::{CYCLE, INSTANT};
-use crate::outcome::Row;
+use super::columns::at;
+use super::figures::{LOSSES, State, axis, label};
+use super::rows::{CYCLE, INSTANT, LARGEST_TENSION};
 use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker, Scale};
+use crate::outcome::{Column, Row};
 use crate::plan::curves::{noted, value};
 use crate::scene::typed::{Scene, Units};
 
@@ -17,24 +16,64 @@ const ROUNDED: f64 = 1e-6;
 /// Points fewer than these are marked.
 const FEW: usize = 60;
 
-impl IndentationPlan {
-    /// A column of a cycle.
-    fn of(&self, row: &Row, column: usize) -> f64 {
-        position(&self.indentation, column).and_then(|place| row.value(place)).unwrap_or(f64::NAN)
+/// Draws cycles by the names of their columns, which both theories of an indenter have.
+pub(super) struct CycleFigures {
+    names: Vec<&'static str>,
+    units: Units,
+    /// Whether force and radius fall to zero at once where contact is lost, as those of an edge do.
+    falls: bool,
+}
+
+impl CycleFigures {
+    pub(super) fn new(columns: &[Column], units: Units, falls: bool) -> Self {
+        Self { names: columns.iter().map(|column| column.name).collect(), units, falls }
+    }
+
+    /// A column of a row.
+    fn of(&self, row: &Row, column: &str) -> f64 {
+        self.names.iter().position(|name| *name == column).and_then(|place| row.value(place)).unwrap_or(f64::NAN)
+    }
+
+    fn label(&self, quantity: &str, symbol: &str, unit: &str, reduced: &str) -> String {
+        label(self.units, quantity, symbol, unit, reduced)
     }
 
     /// Whether a cycle lies between two instants that follow each other.
-    pub(super) fn whole_cycles_between(&self, state: &State<'_>, from: f64, to: f64) -> bool {
+    fn whole_cycles_between(&self, state: &State<'_>, from: f64, to: f64) -> bool {
         let after = state.cycles.partition_point(|row| value(row, at::TIME) <= from);
-        state.cycles.get(after).is_some_and(|row| self.of(row, at::CYCLE_START) >= from && value(row, at::TIME) <= to)
+        state.cycles.get(after).is_some_and(|row| self.of(row, "cycle_start") >= from && value(row, at::TIME) <= to)
+    }
+
+    /// Two columns of the instants and events of a state; cycles of which no instant is a row are a gap.
+    pub(super) fn way(&self, state: &State<'_>, [horizontal, vertical]: [usize; 2]) -> Vec<(f64, f64)> {
+        let mut points = Vec::with_capacity(state.rows.len());
+        let mut before = f64::NEG_INFINITY;
+        for row in &state.rows {
+            let time = value(row, at::TIME);
+            if self.whole_cycles_between(state, before, time) {
+                // A point alone is no curve.
+                if row.label(1) == LARGEST_TENSION {
+                    continue;
+                }
+                points.push((f64::NAN, f64::NAN));
+            }
+            before = time;
+            let point = (value(row, horizontal), value(row, vertical));
+            points.push(point);
+            // Force and radius of an edge that is lost fall to zero at once.
+            if self.falls && LOSSES.contains(&row.label(1)) && vertical != at::PENETRATION {
+                points.push((point.0, 0.0));
+            }
+        }
+        points
     }
 
     /// The smallest and the largest value in each cycle against its middle, where not all cycles are drawn.
     pub(super) fn envelope(&self, state: &State<'_>, column: usize) -> Vec<Curve> {
         let ends = match column {
-            at::FORCE => [at::SMALLEST_FORCE, at::LARGEST_FORCE],
-            at::CONTACT_RADIUS => [at::SMALLEST_CONTACT_RADIUS, at::LARGEST_CONTACT_RADIUS],
-            _ => [at::SMALLEST_PENETRATION, at::LARGEST_PENETRATION],
+            at::FORCE => ["smallest_force", "largest_force"],
+            at::CONTACT_RADIUS => ["smallest_contact_radius", "largest_contact_radius"],
+            _ => ["smallest_penetration", "largest_penetration"],
         };
         // A way that is drawn itself needs none.
         let times: Vec<f64> = state.rows.iter().map(|row| value(row, at::TIME)).collect();
@@ -46,12 +85,12 @@ impl IndentationPlan {
                 let mut segment = f64::INFINITY;
                 let mut points = Vec::with_capacity(state.cycles.len());
                 for row in &state.cycles {
-                    let own = self.of(row, at::SEGMENT);
+                    let own = self.of(row, "segment");
                     if own > segment {
                         points.push((f64::NAN, f64::NAN));
                     }
                     segment = own;
-                    points.push((0.5 * (self.of(row, at::CYCLE_START) + value(row, at::TIME)), self.of(row, end)));
+                    points.push((0.5 * (self.of(row, "cycle_start") + value(row, at::TIME)), self.of(row, end)));
                 }
                 Curve::new("", points).with_line(Line::Dashed).with(state.colour)
             })
@@ -59,7 +98,7 @@ impl IndentationPlan {
     }
 
     /// Stiffness and work of cycles, and the last cycle of each state. `note`: that `states` are not all; the last cycles against the frequency are of all.
-    pub(super) fn cycle_figures(&self, scene: &Scene, rows: &[Row], states: &[State<'_>], note: Option<&String>) -> Vec<(String, Figure)> {
+    pub(super) fn figures(&self, scene: &Scene, rows: &[Row], states: &[State<'_>], note: Option<&String>) -> Vec<(String, Figure)> {
         let repeated: Vec<Set<'_>> = states
             .iter()
             .filter(|state| state.repetitions.len() > 1)
@@ -67,26 +106,26 @@ impl IndentationPlan {
             .collect();
         let mut figures = Vec::new();
         if !repeated.is_empty() {
-            figures.push(("work_against_repetition".to_owned(), self.work_figure(&Axis::linear("repetition"), at::CYCLE, &repeated)));
+            figures.push(("work_against_repetition".to_owned(), self.work_figure(&Axis::linear("repetition"), "cycle", &repeated)));
         }
         if states.iter().all(|state| state.cycles.is_empty()) {
             return noted(figures, note.cloned());
         }
         let mut whole = Vec::new();
-        let within = |state: &State<'_>| spread(state.cycles.iter().map(|row| self.of(row, at::FREQUENCY)));
+        let within = |state: &State<'_>| spread(state.cycles.iter().map(|row| self.of(row, "frequency")));
         // A frequency that goes is the axis of each state; frequencies of several states are the axis of their last cycles.
         let last_cycles = Self::last_cycles(rows);
-        let across = spread(last_cycles.iter().map(|row| self.of(row, at::FREQUENCY)));
+        let across = spread(last_cycles.iter().map(|row| self.of(row, "frequency")));
         if let Some(ratio) = states.iter().map(within).reduce(f64::max).filter(|ratio| *ratio > DIFFERENT) {
             let sets: Vec<Set<'_>> = states
                 .iter()
                 .map(|state| Set { label: state.label.clone(), colour: state.colour, rows: self.settled(&state.cycles) })
                 .collect();
-            figures.extend(self.against(&self.frequency_axis(ratio), "frequency", at::FREQUENCY, &sets));
+            figures.extend(self.against(&self.frequency_axis(ratio), "frequency", "frequency", &sets));
         } else {
             if across > DIFFERENT && scene.sweeps.len() == 1 {
                 let sets = [Set { label: String::new(), colour: Colour::Index(0), rows: last_cycles }];
-                whole = self.against(&self.frequency_axis(across), "frequency", at::FREQUENCY, &sets);
+                whole = self.against(&self.frequency_axis(across), "frequency", "frequency", &sets);
             }
             let sets: Vec<Set<'_>> = states
                 .iter()
@@ -94,7 +133,7 @@ impl IndentationPlan {
                 .map(|state| Set { label: state.label.clone(), colour: state.colour, rows: state.cycles.clone() })
                 .collect();
             if !sets.is_empty() {
-                figures.extend(self.against(&Axis::linear("cycle"), "cycle", at::CYCLE, &sets));
+                figures.extend(self.against(&Axis::linear("cycle"), "cycle", "cycle", &sets));
             }
         }
         figures.extend(self.last_cycle_figure(states));
@@ -104,9 +143,9 @@ impl IndentationPlan {
 
     /// Of each segment at one frequency the last cycle; of a sweep all.
     fn settled<'r>(&self, cycles: &[&'r Row]) -> Vec<&'r Row> {
-        let segments = cycles.chunk_by(|one, other| self.of(one, at::SEGMENT).total_cmp(&self.of(other, at::SEGMENT)).is_eq());
+        let segments = cycles.chunk_by(|one, other| self.of(one, "segment").total_cmp(&self.of(other, "segment")).is_eq());
         let own = segments.map(|segment| {
-            let one_frequency = spread(segment.iter().map(|row| self.of(row, at::FREQUENCY))) < 1.0 + ROUNDED;
+            let one_frequency = spread(segment.iter().map(|row| self.of(row, "frequency"))) < 1.0 + ROUNDED;
             if one_frequency { segment.get(segment.len() - 1..).unwrap_or_default() } else { segment }
         });
         own.flatten().copied().collect()
@@ -124,30 +163,30 @@ impl IndentationPlan {
     }
 
     /// Stiffness and work against a column.
-    fn against(&self, axis: &Axis, name: &str, horizontal: usize, sets: &[Set<'_>]) -> Vec<(String, Figure)> {
+    fn against(&self, across: &Axis, name: &str, horizontal: &str, sets: &[Set<'_>]) -> Vec<(String, Figure)> {
         let stiffness = self.label("stiffness", "$k$", " (N/m)", r"$k/\pi E_0^* R$");
-        let columns = [at::STORAGE_STIFFNESS, at::LOSS_STIFFNESS];
+        let columns = ["storage_stiffness", "loss_stiffness"];
         let values = || sets.iter().flat_map(|set| &set.rows).flat_map(|row| columns.map(|column| self.of(row, column)));
-        let decades = axis.scale == Scale::Logarithmic && values().all(|value| value > 0.0) && spread(values()) > DECADE;
-        let mut first = Figure::new(axis.clone(), if decades { Axis::logarithmic(stiffness) } else { Axis::linear(stiffness) });
+        let decades = across.scale == Scale::Logarithmic && values().all(|value| value > 0.0) && spread(values()) > DECADE;
+        let mut first = Figure::new(across.clone(), if decades { Axis::logarithmic(stiffness) } else { Axis::linear(stiffness) });
         for set in sets {
-            first = first.with_curve(self.curve_of(set, "storage", [horizontal, at::STORAGE_STIFFNESS], Line::Solid));
-            first = first.with_curve(self.curve_of(set, "loss", [horizontal, at::LOSS_STIFFNESS], Line::Dashed));
+            first = first.with_curve(self.curve_of(set, "storage", [horizontal, "storage_stiffness"], Line::Solid));
+            first = first.with_curve(self.curve_of(set, "loss", [horizontal, "loss_stiffness"], Line::Dashed));
         }
         vec![
             (format!("stiffness_against_{name}"), first),
-            (format!("work_per_cycle_against_{name}"), self.work_figure(axis, horizontal, sets)),
+            (format!("work_per_cycle_against_{name}"), self.work_figure(across, horizontal, sets)),
         ]
     }
 
     /// The work of cycles or repetitions against a column.
-    fn work_figure(&self, axis: &Axis, horizontal: usize, sets: &[Set<'_>]) -> Figure {
+    fn work_figure(&self, across: &Axis, horizontal: &str, sets: &[Set<'_>]) -> Figure {
         let vertical = Axis::linear(self.label("work per cycle", "$w$", " (J)", r"$w/\pi E_0^* R^3$"));
-        let curves = sets.iter().map(|set| self.curve_of(set, "", [horizontal, at::WORK_PER_CYCLE], Line::Solid));
-        curves.fold(Figure::new(axis.clone(), vertical), Figure::with_curve)
+        let curves = sets.iter().map(|set| self.curve_of(set, "", [horizontal, "work_per_cycle"], Line::Solid));
+        curves.fold(Figure::new(across.clone(), vertical), Figure::with_curve)
     }
 
-    fn curve_of(&self, set: &Set<'_>, label: &str, [horizontal, vertical]: [usize; 2], line: Line) -> Curve {
+    fn curve_of(&self, set: &Set<'_>, label: &str, [horizontal, vertical]: [&str; 2], line: Line) -> Curve {
         let points: Vec<(f64, f64)> = set.rows.iter().map(|row| (self.of(row, horizontal), self.of(row, vertical))).collect();
         let joined = match (label.is_empty(), set.label.is_empty()) {
             (true, _) => set.label.clone(),
@@ -160,10 +199,10 @@ impl IndentationPlan {
 
     /// Force against penetration in the last cycle of each state, where its instants are rows.
     fn last_cycle_figure(&self, states: &[State<'_>]) -> Option<(String, Figure)> {
-        let mut figure = Figure::new(self.axis(at::PENETRATION), self.axis(at::FORCE));
+        let mut figure = Figure::new(axis(at::PENETRATION, self.units), axis(at::FORCE, self.units));
         for state in states {
             let Some(cycle) = state.cycles.last() else { continue };
-            let (from, to) = (self.of(cycle, at::CYCLE_START), value(cycle, at::TIME));
+            let (from, to) = (self.of(cycle, "cycle_start"), value(cycle, at::TIME));
             let inside = |row: &&&Row| row.label(0) == INSTANT && (from..=to).contains(&value(row, at::TIME));
             let points: Vec<(f64, f64)> =
                 state.rows.iter().filter(inside).map(|row| (value(row, at::PENETRATION), value(row, at::FORCE))).collect();

@@ -1,6 +1,7 @@
 //! The plots of an indentation: a curve for every state, elastic limits, measured forces, fields.
 
-use super::columns::{at, field, position};
+use super::columns::{at, columns, field, position};
+use super::cycle_figures::CycleFigures;
 use super::rows::{CYCLE, LARGEST_TENSION, REPETITION, SUMMARY};
 use super::{IndentationPlan, agreement};
 use crate::outcome::Row;
@@ -11,9 +12,9 @@ use crate::scene::typed::{HistoryQuantity, IndentationShape, Scene, Units};
 use viscotack::elastic::JkrSphere;
 
 /// Most states that one figure distinguishes.
-const MOST_STATES: usize = 7;
+pub(super) const MOST_STATES: usize = 7;
 /// Events after which there is no contact.
-const LOSSES: [&str; 2] = ["detachment", "zone_reached"];
+pub(super) const LOSSES: [&str; 2] = ["detachment", "zone_reached"];
 /// Histories whose durations differ more than this are drawn over the logarithm of time.
 const DIFFERENT_ENDS: f64 = 10.0;
 /// Times of two histories that are the same, within rounding.
@@ -35,9 +36,49 @@ pub(super) struct State<'a> {
     pub(super) repetitions: Vec<&'a Row>,
 }
 
+/// States with values, in order, not more than a legend can distinguish.
+pub(super) fn states<'a>(scene: &Scene, rows: &'a [Row]) -> Vec<State<'a>> {
+    let mut numbers: Vec<usize> = rows.iter().filter(|row| row.status.has_values()).map(|row| row.state).collect();
+    numbers.dedup();
+    let of = |state: usize| rows.iter().filter(|row| row.state == state && row.status.has_values()).collect::<Vec<_>>();
+    let numbers = thinned(numbers, MOST_STATES);
+    let count = numbers.len();
+    numbers
+        .into_iter()
+        .enumerate()
+        .map(|(place, state)| {
+            let own = of(state).into_iter().filter(|row| row.label(0) != SUMMARY);
+            let (cycles, rows): (Vec<&Row>, Vec<&Row>) = own.partition(|row| row.label(0) == CYCLE);
+            let (repetitions, rows): (Vec<&Row>, Vec<&Row>) = rows.into_iter().partition(|row| row.label(0) == REPETITION);
+            let label = rows.first().map_or_else(String::new, |row| swept_label(scene, &row.swept));
+            State { label, colour: shade(place, count), rows, cycles, repetitions }
+        })
+        .collect()
+}
+
+/// A quantity with its symbol and unit, in either system of units.
+pub(super) fn label(units: Units, quantity: &str, symbol: &str, unit: &str, reduced: &str) -> String {
+    if units == Units::Si { format!("{quantity} {symbol}{unit}") } else { format!("{quantity} {reduced}") }
+}
+
+/// The axis of a column of instants, of which the first four are those of both theories.
+pub(super) fn axis(column: usize, units: Units) -> Axis {
+    Axis::linear(match column {
+        at::FORCE => label(units, "force", "$F$", " (N)", r"$F/\pi E_0^* R^2$"),
+        at::CONTACT_RADIUS => label(units, "contact radius", "$a$", " (m)", "$a/R$"),
+        at::PENETRATION => label(units, "penetration", r"$\Delta$", " (m)", r"$\Delta/R$"),
+        at::FRAME => label(units, "frame displacement", r"$\Delta_\mathrm{f}$", " (m)", r"$\Delta_\mathrm{f}/R$"),
+        _ => label(units, "time", "$t$", " (s)", r"$t/t_0$"),
+    })
+}
+
 impl IndentationPlan {
+    fn cycle_figures(&self) -> CycleFigures {
+        CycleFigures::new(&columns(&self.indentation, self.units), self.units, true)
+    }
+
     pub(super) fn drawings(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
-        let states = self.states(scene, rows);
+        let states = states(scene, rows);
         if states.is_empty() {
             return Vec::new();
         }
@@ -63,7 +104,7 @@ impl IndentationPlan {
         numbers.dedup();
         let note = thinning(numbers.len(), MOST_STATES, "states");
         figures = noted(figures, note.clone());
-        figures.extend(self.cycle_figures(scene, rows, &states, note.as_ref()));
+        figures.extend(self.cycle_figures().figures(scene, rows, &states, note.as_ref()));
         figures.extend(self.pull_off_figures(scene, rows));
         let first = (numbers.len() > 1).then(|| format!("of the first of {} states", numbers.len()));
         figures.extend(noted(self.field_figures(&states), first));
@@ -71,61 +112,17 @@ impl IndentationPlan {
         figures
     }
 
-    /// States with values, in order, not more than a legend can distinguish.
-    fn states<'a>(&self, scene: &Scene, rows: &'a [Row]) -> Vec<State<'a>> {
-        let mut numbers: Vec<usize> = rows.iter().filter(|row| row.status.has_values()).map(|row| row.state).collect();
-        numbers.dedup();
-        let of = |state: usize| rows.iter().filter(|row| row.state == state && row.status.has_values()).collect::<Vec<_>>();
-        let numbers = thinned(numbers, MOST_STATES);
-        let count = numbers.len();
-        numbers
-            .into_iter()
-            .enumerate()
-            .map(|(place, state)| {
-                let own = of(state).into_iter().filter(|row| row.label(0) != SUMMARY);
-                let (cycles, rows): (Vec<&Row>, Vec<&Row>) = own.partition(|row| row.label(0) == CYCLE);
-                let (repetitions, rows): (Vec<&Row>, Vec<&Row>) = rows.into_iter().partition(|row| row.label(0) == REPETITION);
-                let label = rows.first().map_or_else(String::new, |row| swept_label(scene, &row.swept));
-                State { label, colour: shade(place, count), rows, cycles, repetitions }
-            })
-            .collect()
-    }
-
     pub(super) fn label(&self, quantity: &str, symbol: &str, unit: &str, reduced: &str) -> String {
-        if self.units == Units::Si { format!("{quantity} {symbol}{unit}") } else { format!("{quantity} {reduced}") }
+        label(self.units, quantity, symbol, unit, reduced)
     }
 
-    pub(super) fn axis(&self, column: usize) -> Axis {
-        Axis::linear(match column {
-            at::FORCE => self.label("force", "$F$", " (N)", r"$F/\pi E_0^* R^2$"),
-            at::CONTACT_RADIUS => self.label("contact radius", "$a$", " (m)", "$a/R$"),
-            at::PENETRATION => self.label("penetration", r"$\Delta$", " (m)", r"$\Delta/R$"),
-            at::FRAME => self.label("frame displacement", r"$\Delta_\mathrm{f}$", " (m)", r"$\Delta_\mathrm{f}/R$"),
-            _ => self.label("time", "$t$", " (s)", r"$t/t_0$"),
-        })
+    fn axis(&self, column: usize) -> Axis {
+        axis(column, self.units)
     }
 
     fn curve(&self, state: &State<'_>, horizontal: usize, vertical: usize) -> Curve {
         // The largest tension belongs to the curve; fields repeat what is between its instants.
-        let mut points = Vec::with_capacity(state.rows.len());
-        let mut before = f64::NEG_INFINITY;
-        for row in &state.rows {
-            let (x, time) = (value(row, horizontal), value(row, at::TIME));
-            // Cycles of which no instant is a row are a gap.
-            if self.whole_cycles_between(state, before, time) {
-                // A point alone is no curve.
-                if row.label(1) == LARGEST_TENSION {
-                    continue;
-                }
-                points.push((f64::NAN, f64::NAN));
-            }
-            before = time;
-            points.push((x, value(row, vertical)));
-            // Force and radius fall to zero at once.
-            if LOSSES.contains(&row.label(1)) && vertical != at::PENETRATION {
-                points.push((x, 0.0));
-            }
-        }
+        let points = self.cycle_figures().way(state, [horizontal, vertical]);
         Curve::new(state.label.clone(), points).with(state.colour).with_line(Line::Solid)
     }
 
@@ -224,7 +221,7 @@ impl IndentationPlan {
         let mut figure = Figure::new(horizontal, self.axis(column));
         for state in states {
             figure = figure.with_curve(self.curve(state, at::TIME, column));
-            for envelope in self.envelope(state, column) {
+            for envelope in self.cycle_figures().envelope(state, column) {
                 figure = figure.with_curve(envelope);
             }
         }

@@ -93,8 +93,11 @@ impl IndentationPlan {
         for (index, point) in self.between_instants(solution, &scales) {
             add([INSTANT, ""], self.of_path_point(solution, index, point), point.residual)?;
         }
-        for cycle in self.cycles_shown(solution) {
-            add([CYCLE, ""], self.of_cycle(solution, cycle, &scales), 0.0)?;
+        let cycles = self.cycles(solution);
+        for cycle in cycles.shown() {
+            let mut values: Values = vec![None; COLUMNS.len()];
+            cycles.put(&mut values, cycle, &scales);
+            add([CYCLE, ""], values, 0.0)?;
         }
         for repetition in self.repetitions_shown() {
             if let Some(values) = self.of_repetition(solution, repetition) {
@@ -158,7 +161,7 @@ impl IndentationPlan {
         at_least(at::FORCE, force);
         at_least(at::PULL_OFF_RATIO, self.jkr_pull_off().map_or(0.0, |unit| force / unit));
         at_least(at::TIME, self.timeline.duration());
-        for (place, scale) in self.cycle_scales(solution) {
+        for (place, scale) in self.cycles(solution).scales() {
             at_least(place, scale);
         }
         if let Some(adhesion) = self.adhesion() {

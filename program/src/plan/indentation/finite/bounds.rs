@@ -50,7 +50,7 @@ impl FiniteRangePlan {
         let mut runs = Runs::of(solved(1, accuracy)?, solved(2, tighter)?, 0);
         let mut accuracy = tighter;
         for number in 3..=RUNS {
-            if runs.consistent && self.agree(&runs) {
+            if runs.consistent && self.agree(&runs) && self.cycles_agree(&runs) {
                 break;
             }
             accuracy = accuracy.tightened();

@@ -1,20 +1,14 @@
 //! The columns of an indenter that attracts at a distance.
 
 use super::super::agreement;
-use super::super::columns::{self, Measure, has_measured_force, repeats, unit};
+use super::super::columns::{self, Definition, Measure, column, has_measured_force, has_of_cycle, of_cycle, unit};
 use crate::outcome::{Column, Layout};
 use crate::scene::typed::{Indentation, Units};
 
-/// A column.
-#[derive(Clone, Copy)]
-pub(super) struct Definition {
-    pub(super) name: &'static str,
-    pub(super) measure: Measure,
-    meaning: &'static str,
-}
-
 /// Positions among all columns.
 pub(super) mod at {
+    use super::of_cycle;
+
     pub(crate) const TIME: usize = 0;
     pub(crate) const PENETRATION: usize = 1;
     pub(crate) const FORCE: usize = 2;
@@ -30,48 +24,52 @@ pub(super) mod at {
     pub(crate) const MEASURED_FORCE: usize = 12;
     pub(crate) const FORCE_DEVIATION: usize = 13;
     pub(crate) const SEGMENT: usize = 14;
-    pub(crate) const CYCLE: usize = 15;
-    pub(crate) const CYCLE_START: usize = 16;
-    pub(crate) const WORK_PER_CYCLE: usize = 17;
-    pub(crate) const SMALLEST_PENETRATION: usize = 18;
-    pub(crate) const LARGEST_PENETRATION: usize = 19;
-    pub(crate) const SMALLEST_FORCE: usize = 20;
-    pub(crate) const LARGEST_FORCE: usize = 21;
-    pub(crate) const SMALLEST_CONTACT_RADIUS: usize = 22;
-    pub(crate) const LARGEST_CONTACT_RADIUS: usize = 23;
-    pub(crate) const PULL_OFF_FORCE: usize = 24;
-    pub(crate) const PULL_OFF_TIME: usize = 25;
-    pub(crate) const PULL_OFF_PENETRATION: usize = 26;
-    pub(crate) const PULL_OFF_RADIUS: usize = 27;
-    pub(crate) const WORK_OF_SEPARATION: usize = 28;
-    pub(crate) const WORK_TO_PULL_OFF: usize = 29;
-    pub(crate) const DWELL_RADIUS: usize = 30;
-    pub(crate) const TIME_TO_DETACH: usize = 31;
-    pub(crate) const DETACHMENT_TIME: usize = 32;
-    pub(crate) const DETACHMENT_PENETRATION: usize = 33;
-    pub(crate) const LARGEST_RADIUS: usize = 34;
-    pub(crate) const LARGEST_COMPRESSION: usize = 35;
-    pub(crate) const END_PENETRATION: usize = 36;
-    pub(crate) const END_FORCE: usize = 37;
-    pub(crate) const END_RADIUS: usize = 38;
-    pub(crate) const RMS_DEVIATION: usize = 39;
-    pub(crate) const DETERMINATION: usize = 40;
-    pub(crate) const JUMPS: usize = 41;
-    pub(crate) const JUMP_LOSS: usize = 42;
-    pub(crate) const TABOR: usize = 43;
-    pub(crate) const GLASSY_TABOR: usize = 44;
-    pub(crate) const ENERGY_DEFECT: usize = 45;
-    pub(crate) const STEPS: usize = 46;
-    pub(crate) const NODES: usize = 47;
+    pub(crate) const CYCLE: usize = SEGMENT + of_cycle::CYCLE;
+    pub(crate) const CYCLE_START: usize = SEGMENT + of_cycle::CYCLE_START;
+    pub(crate) const FREQUENCY: usize = SEGMENT + of_cycle::FREQUENCY;
+    pub(crate) const WORK_PER_CYCLE: usize = SEGMENT + of_cycle::WORK_PER_CYCLE;
+    pub(crate) const STORAGE_STIFFNESS: usize = SEGMENT + of_cycle::STORAGE_STIFFNESS;
+    pub(crate) const LOSS_STIFFNESS: usize = SEGMENT + of_cycle::LOSS_STIFFNESS;
+    pub(crate) const PHASE: usize = SEGMENT + of_cycle::PHASE;
+    pub(crate) const SMALLEST_PENETRATION: usize = SEGMENT + of_cycle::SMALLEST_PENETRATION;
+    pub(crate) const LARGEST_PENETRATION: usize = SEGMENT + of_cycle::LARGEST_PENETRATION;
+    pub(crate) const SMALLEST_FORCE: usize = SEGMENT + of_cycle::SMALLEST_FORCE;
+    pub(crate) const LARGEST_FORCE: usize = SEGMENT + of_cycle::LARGEST_FORCE;
+    pub(crate) const SMALLEST_CONTACT_RADIUS: usize = SEGMENT + of_cycle::SMALLEST_CONTACT_RADIUS;
+    pub(crate) const LARGEST_CONTACT_RADIUS: usize = SEGMENT + of_cycle::LARGEST_CONTACT_RADIUS;
+    pub(crate) const DRIFT: usize = SEGMENT + of_cycle::DRIFT;
+    pub(crate) const SPREAD: usize = SEGMENT + of_cycle::SPREAD;
+    pub(crate) const PULL_OFF_FORCE: usize = 30;
+    pub(crate) const PULL_OFF_TIME: usize = 31;
+    pub(crate) const PULL_OFF_PENETRATION: usize = 32;
+    pub(crate) const PULL_OFF_RADIUS: usize = 33;
+    pub(crate) const WORK_OF_SEPARATION: usize = 34;
+    pub(crate) const WORK_TO_PULL_OFF: usize = 35;
+    pub(crate) const DWELL_RADIUS: usize = 36;
+    pub(crate) const TIME_TO_DETACH: usize = 37;
+    pub(crate) const DETACHMENT_TIME: usize = 38;
+    pub(crate) const DETACHMENT_PENETRATION: usize = 39;
+    pub(crate) const LARGEST_RADIUS: usize = 40;
+    pub(crate) const LARGEST_COMPRESSION: usize = 41;
+    pub(crate) const END_PENETRATION: usize = 42;
+    pub(crate) const END_FORCE: usize = 43;
+    pub(crate) const END_RADIUS: usize = 44;
+    pub(crate) const RMS_DEVIATION: usize = 45;
+    pub(crate) const DETERMINATION: usize = 46;
+    pub(crate) const JUMPS: usize = 47;
+    pub(crate) const JUMP_LOSS: usize = 48;
+    pub(crate) const TABOR: usize = 49;
+    pub(crate) const GLASSY_TABOR: usize = 50;
+    pub(crate) const ENERGY_DEFECT: usize = 51;
+    pub(crate) const STEPS: usize = 52;
+    pub(crate) const NODES: usize = 53;
     /// How many there are.
-    pub(crate) const ALL: usize = 48;
+    pub(crate) const ALL: usize = 54;
 
+    /// Of the last cycle, which the state as a whole has as well.
+    pub(crate) const OF_THE_LAST_CYCLE: [usize; 7] = [FREQUENCY, STORAGE_STIFFNESS, LOSS_STIFFNESS, PHASE, WORK_PER_CYCLE, DRIFT, SPREAD];
     /// Energies, which turn into each other.
     pub(crate) const ENERGIES: [usize; 5] = [STORED_ENERGY, INTERFACE_ENERGY, EXTERNAL_WORK, DISSIPATED_ENERGY, RELEASED_ENERGY];
-}
-
-const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
-    Definition { name, measure, meaning }
 }
 
 /// All columns, of which a scene has those in [`present`].
@@ -106,16 +104,22 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         "The force that the table of the history holds for this time, between its rows by straight lines.",
     ),
     column("force_deviation", Measure::Force, agreement::DEVIATION),
-    column("segment", Measure::Number, columns::SEGMENT),
-    column("cycle", Measure::Number, columns::CYCLE),
-    column("cycle_start", Measure::Time, columns::CYCLE_START),
-    column("work_per_cycle", Measure::Energy, columns::WORK_PER_CYCLE),
-    column("smallest_penetration", Measure::Length, "Over the repetition."),
-    column("largest_penetration", Measure::Length, "Over the repetition."),
-    column("smallest_force", Measure::Force, "Over the repetition: the strongest pull, if negative."),
-    column("largest_force", Measure::Force, "Over the repetition."),
-    column("smallest_contact_radius", Measure::Length, "Over the repetition."),
-    column("largest_contact_radius", Measure::Length, "Over the repetition."),
+    columns::OF_CYCLE[of_cycle::SEGMENT],
+    columns::OF_CYCLE[of_cycle::CYCLE],
+    columns::OF_CYCLE[of_cycle::CYCLE_START],
+    columns::OF_CYCLE[of_cycle::FREQUENCY],
+    columns::OF_CYCLE[of_cycle::WORK_PER_CYCLE],
+    columns::OF_CYCLE[of_cycle::STORAGE_STIFFNESS],
+    columns::OF_CYCLE[of_cycle::LOSS_STIFFNESS],
+    columns::OF_CYCLE[of_cycle::PHASE],
+    columns::OF_CYCLE[of_cycle::SMALLEST_PENETRATION],
+    columns::OF_CYCLE[of_cycle::LARGEST_PENETRATION],
+    columns::OF_CYCLE[of_cycle::SMALLEST_FORCE],
+    columns::OF_CYCLE[of_cycle::LARGEST_FORCE],
+    columns::OF_CYCLE[of_cycle::SMALLEST_CONTACT_RADIUS],
+    columns::OF_CYCLE[of_cycle::LARGEST_CONTACT_RADIUS],
+    columns::OF_CYCLE[of_cycle::DRIFT],
+    columns::OF_CYCLE[of_cycle::SPREAD],
     column("pull_off_force", Measure::Force, "The largest tension of the history; empty if nothing pulls."),
     column("pull_off_time", Measure::Time, "When the tension is largest; soft where the maximum is flat."),
     column("pull_off_penetration", Measure::Length, "Δ where the tension is largest; soft where the maximum is flat."),
@@ -159,7 +163,7 @@ pub(super) fn present(indentation: &Indentation) -> Vec<usize> {
     let has = |place: &usize| match *place {
         at::FRAME => indentation.frame_stiffness.is_some(),
         at::MEASURED_FORCE | at::FORCE_DEVIATION | at::RMS_DEVIATION | at::DETERMINATION => has_measured_force(indentation),
-        place if (at::SEGMENT..at::PULL_OFF_FORCE).contains(&place) => repeats(indentation),
+        place if (at::SEGMENT..at::PULL_OFF_FORCE).contains(&place) => has_of_cycle(indentation, place - at::SEGMENT),
         place => indentation.energies || !at::ENERGIES.contains(&place),
     };
     (0..at::ALL).filter(has).collect()
@@ -173,7 +177,7 @@ pub(super) fn layout(indentation: &Indentation) -> Layout {
     };
     Layout {
         labels: Vec::new(),
-        states: of(&|place| place >= at::PULL_OFF_FORCE || matches!(place, at::PULL_OFF_RATIO | at::WORK_PER_CYCLE)),
+        states: of(&|place| place >= at::PULL_OFF_FORCE || place == at::PULL_OFF_RATIO || at::OF_THE_LAST_CYCLE.contains(&place)),
         path: of(&|place| place < at::PULL_OFF_FORCE),
     }
 }
@@ -184,12 +188,7 @@ pub(super) fn position(indentation: &Indentation, column: usize) -> Option<usize
 }
 
 pub(super) fn columns(indentation: &Indentation, units: Units) -> Vec<Column> {
-    let column = |definition: Definition| Column {
-        name: definition.name,
-        unit: unit(definition.measure, units).to_owned(),
-        meaning: definition.meaning,
-    };
-    present(indentation).into_iter().filter_map(|place| COLUMNS.get(place)).copied().map(column).collect()
+    present(indentation).into_iter().filter_map(|place| COLUMNS.get(place)).map(|definition| definition.column(units)).collect()
 }
 
 /// Positions of the fields at a place.

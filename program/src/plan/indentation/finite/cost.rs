@@ -1,5 +1,7 @@
 //! What an indenter that attracts at a distance is expected to cost: the one place to tune when the solver changes.
 
+use super::super::cycles::MOST_ROWS;
+use super::super::timeline::Leg;
 use super::FiniteRangePlan;
 use super::history::Piece;
 use crate::outcome::Work;
@@ -40,7 +42,8 @@ impl FiniteRangePlan {
     /// Rows of a state, at most.
     pub(super) fn most_rows(&self) -> u64 {
         let instants: u64 = self.course.pieces.iter().map(|piece| piece.instants.len() as u64 + 1).sum();
-        instants + self.course.surfaces.len() as u64 + EVENTS + 1
+        let cycles: f64 = self.timeline.legs.iter().map(Leg::cycles).sum();
+        instants + (cycles.ceil() as u64).min(MOST_ROWS as u64) + self.course.surfaces.len() as u64 + EVENTS + 1
     }
 
     /// Memory of a state besides its rows (bytes), at most.

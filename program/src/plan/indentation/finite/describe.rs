@@ -50,7 +50,11 @@ impl FiniteRangePlan {
             effect(
                 "oscillation",
                 self.timeline.oscillates(),
-                given(self.timeline.oscillates(), "every cycle is integrated", "no segment of the history is an `oscillation`"),
+                given(
+                    self.timeline.oscillates(),
+                    "every cycle is integrated; each is a row, of more than 2000 some",
+                    "no segment of the history is an `oscillation`",
+                ),
             ),
             effect("fields", fields, given(fields, "[indentation.fields] is given", "no [indentation.fields]")),
             effect(

@@ -1,24 +1,17 @@
 //! The plots of an indenter that attracts at a distance: curves of every state, pull-off against what is swept, surfaces.
 
 use super::super::agreement;
+use super::super::cycle_figures::CycleFigures;
+use super::super::figures::{MOST_STATES, State, axis, label, states};
+use super::super::rows::LARGEST_TENSION;
 use super::FiniteRangePlan;
-use super::columns::{at, field, position};
-use super::rows::{DETACHMENT, LARGEST_TENSION, REPETITION, SUMMARY};
+use super::columns::{at, columns, field, position};
+use super::rows::DETACHMENT;
 use crate::outcome::Row;
-use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker};
+use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
 use crate::plan::curves::{axis_of, innermost, noted, shade, short, swept_axis, swept_label, thinned, thinning, value};
 use crate::plan::maps::Answer;
 use crate::scene::typed::{HistoryQuantity, Scene, Units};
-
-/// Most states that one figure distinguishes.
-const MOST_STATES: usize = 7;
-
-/// The rows of one state, in the order of time.
-struct State<'a> {
-    label: String,
-    colour: Colour,
-    rows: Vec<&'a Row>,
-}
 
 impl FiniteRangePlan {
     pub(super) fn drawings(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
@@ -27,17 +20,7 @@ impl FiniteRangePlan {
         if numbers.is_empty() {
             return Vec::new();
         }
-        let shown = thinned(numbers.clone(), MOST_STATES);
-        let states: Vec<State<'_>> = shown
-            .iter()
-            .enumerate()
-            .map(|(place, &number)| {
-                let own = |row: &&Row| row.state == number && row.status.has_values() && ![SUMMARY, REPETITION].contains(&row.label(0));
-                let rows: Vec<&Row> = rows.iter().filter(own).collect();
-                let label = rows.first().map_or_else(String::new, |row| swept_label(scene, &row.swept));
-                State { label, colour: shade(place, shown.len()), rows }
-            })
-            .collect();
+        let states = states(scene, rows);
         let mut figures = vec![
             ("force_against_penetration".to_owned(), self.figure(&states, at::PENETRATION, at::FORCE)),
             ("contact_radius_against_penetration".to_owned(), self.figure(&states, at::PENETRATION, at::CONTACT_RADIUS)),
@@ -52,35 +35,36 @@ impl FiniteRangePlan {
                 figures.push((name.to_owned(), self.figure(&states, at::TIME, column)));
             }
         }
-        figures = noted(figures, thinning(numbers.len(), MOST_STATES, "states"));
+        let note = thinning(numbers.len(), MOST_STATES, "states");
+        figures = noted(figures, note.clone());
+        figures.extend(self.cycle_figures().figures(scene, rows, &states, note.as_ref()));
         figures.extend(self.pull_off_figure(scene, rows));
         let first = (numbers.len() > 1).then(|| format!("of the first of {} states", numbers.len()));
         figures.extend(noted(self.field_figures(&states), first));
         figures
     }
 
+    fn cycle_figures(&self) -> CycleFigures {
+        CycleFigures::new(&columns(&self.indentation, self.units), self.units, false)
+    }
+
     fn label(&self, quantity: &str, symbol: &str, unit: &str, reduced: &str) -> String {
-        if self.units == Units::Si { format!("{quantity} {symbol}{unit}") } else { format!("{quantity} {reduced}") }
+        label(self.units, quantity, symbol, unit, reduced)
     }
 
     fn axis(&self, column: usize) -> Axis {
-        Axis::linear(match column {
-            at::FORCE => self.label("force", "$F$", " (N)", r"$F/\pi E_0^* R^2$"),
-            at::CONTACT_RADIUS => self.label("contact radius", "$a$", " (m)", "$a/R$"),
-            at::PENETRATION => self.label("penetration", r"$\Delta$", " (m)", r"$\Delta/R$"),
-            _ => self.label("time", "$t$", " (s)", r"$t/t_0$"),
-        })
+        axis(column, self.units)
     }
 
     fn figure(&self, states: &[State<'_>], horizontal: usize, vertical: usize) -> Figure {
         let mut figure = Figure::new(self.axis(horizontal), self.axis(vertical));
+        let cycles = self.cycle_figures();
         for state in states {
-            let mut points: Vec<(f64, f64)> = Vec::with_capacity(state.rows.len());
-            for row in &state.rows {
-                let point = (value(row, horizontal), value(row, vertical));
-                points.push(point);
-            }
+            let points = cycles.way(state, [horizontal, vertical]);
             figure = figure.with_curve(Curve::new(state.label.clone(), points).with(state.colour).with_line(Line::Solid));
+            if horizontal == at::TIME {
+                figure = cycles.envelope(state, vertical).into_iter().fold(figure, Figure::with_curve);
+            }
         }
         let place = |column: usize| position(&self.indentation, column).filter(|_| vertical == at::FORCE);
         if let (Some(measured), Some(deviation), Some(state)) = (place(at::MEASURED_FORCE), place(at::FORCE_DEVIATION), states.first()) {
@@ -101,8 +85,12 @@ impl FiniteRangePlan {
         figure
     }
 
-    /// Pull-off, or of what has no unit for it the largest force.
+    /// Loss of an oscillation; else pull-off.
     pub(super) fn main_answer(&self) -> Option<Answer> {
+        if self.timeline.oscillates() {
+            let label = self.label("loss stiffness", "$k''$", " (N/m)", r"$k''/\pi E_0^* R$");
+            return Some(Answer { column: position(&self.indentation, at::LOSS_STIFFNESS)?, axis: Axis::linear(label) });
+        }
         let label = self.label("pull-off force", r"$F_\mathrm{off}$", " (N)", r"$F_\mathrm{off}/\pi E_0^* R^2$");
         Some(Answer { column: position(&self.indentation, at::PULL_OFF_FORCE)?, axis: Axis::linear(label) })
     }

@@ -1,9 +1,9 @@
 //! Pressure, displacement and gap at chosen times.
 
 use super::super::fields::places;
+use super::super::rows::Values;
 use super::FiniteRangePlan;
 use super::bounds::Runs;
-use super::rows::Values;
 use crate::outcome::FieldPoint;
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::sphere::{Place, Record, Surface};

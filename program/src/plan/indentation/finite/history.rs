@@ -18,7 +18,7 @@ pub(super) struct Piece {
     pub(super) instants: Vec<f64>,
     /// When it ends.
     pub(super) end: f64,
-    segment: usize,
+    pub(super) segment: usize,
     quantity: HistoryQuantity,
     /// Where it starts, if that is known.
     from: Option<f64>,

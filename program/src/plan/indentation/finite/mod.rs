@@ -7,6 +7,7 @@ mod bounds;
 mod columns;
 mod cost;
 mod curve;
+mod cycles;
 mod describe;
 mod drawings;
 mod fields;
@@ -163,10 +164,16 @@ impl ProblemPlan for FiniteRangePlan {
     }
 
     fn headline(&self) -> &'static [&'static str] {
+        if self.timeline.oscillates() {
+            return &["storage_stiffness", "loss_stiffness", "work_per_cycle", "largest_radius", "end_penetration"];
+        }
         &["pull_off_force", "pull_off_ratio", "pull_off_penetration", "work_of_separation", "tabor_number"]
     }
 
     fn path_headline(&self) -> &'static [&'static str] {
+        if self.timeline.oscillates() {
+            return &["time", "force", "storage_stiffness", "loss_stiffness", "work_per_cycle"];
+        }
         &["time", "penetration", "force", "contact_radius", "pull_off_ratio"]
     }
 

@@ -1,11 +1,12 @@
 //! The parts of a test, and rows of what a history goes through again and again.
 
 use super::super::protocol::Protocol;
+use super::super::rows::Values;
 use super::super::timeline::Repetition;
 use super::FiniteRangePlan;
 use super::bounds::Runs;
 use super::columns::{COLUMNS, at};
-use super::rows::{Values, set};
+use super::rows::set;
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::sphere::{Record, Run};
 

@@ -3,11 +3,12 @@
 use super::super::columns::Measure;
 use super::super::locate::State;
 use super::super::remarks::remarks;
+use super::super::rows::{CYCLE, INSTANT, LARGEST_TENSION, REPETITION, SUMMARY, Values};
 use super::super::shift::{self, CONDITION_MET, LIMIT_REACHED, Shift};
 use super::FiniteRangePlan;
 use super::bounds::Runs;
 use super::columns::{COLUMNS, at, columns, present};
-use super::widened::{Floors, widened};
+use super::widened::{EXTREMES, Floors, widened};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::{Condition, IndentationShape};
@@ -16,11 +17,7 @@ use viscotack::estimate::Estimate;
 use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Jump, KINKED, LegSummary, Record};
 use viscotack::refusal::Refusal;
 
-/// The words of rows.
-pub(super) const SUMMARY: &str = crate::outcome::SUMMARY;
-pub(super) const INSTANT: &str = "instant";
-pub(super) const REPETITION: &str = "repetition";
-pub(super) const LARGEST_TENSION: &str = "largest_tension";
+/// The word of the row where a contact ends.
 pub(super) const DETACHMENT: &str = "detachment";
 
 /// Heat that may be negative by rounding and truncation, over the energies turned over.
@@ -29,9 +26,6 @@ const ADMISSIBLE: f64 = 1e-3;
 const SOFT: f64 = 4.0;
 /// A bound is never smaller than this part of its value.
 const ROUNDING: f64 = 1e-11;
-
-/// Values of a row in the order of the columns, coherent.
-pub(super) type Values = Vec<Option<Estimate>>;
 
 /// The end of a segment with a condition: the word, the values there, and what follows from the bound on its time.
 type End = (&'static str, Values, Option<Shift>);
@@ -95,10 +89,26 @@ impl FiniteRangePlan {
             (at::FORCE, units.force),
             (at::CONTACT_RADIUS, units.radius),
         ];
-        for (place, least) in least {
+        let known = self.cycles_of(runs)?;
+        let cycles = self.as_rows(&known);
+        for (place, least) in cycles.scales().into_iter().chain(least) {
             if let Some(scale) = scales.get_mut(place) {
                 *scale = scale.max(least);
             }
+        }
+        for (extreme, place) in EXTREMES {
+            let of_instants = scales.get(place).copied().unwrap_or(0.0);
+            if let Some(scale) = scales.get_mut(extreme) {
+                *scale = scale.max(of_instants);
+            }
+        }
+        let mut last_cycle = None;
+        for cycle in cycles.shown() {
+            let mut values: Values = vec![None; COLUMNS.len()];
+            cycles.put(&mut values, cycle, &scales);
+            floors.raise_extremes(&mut values);
+            last_cycle = Some(values.clone());
+            all.push(([CYCLE, ""], values));
         }
         let shifts: Vec<Shift> = ends.iter().filter_map(|end| end.2).collect();
         let mut timed: Vec<(f64, Row)> = Vec::new();
@@ -123,7 +133,13 @@ impl FiniteRangePlan {
         let mut rows: Vec<Row> = timed.into_iter().map(|(_, row)| row).collect();
         let mut answer = self.row(state, swept, [SUMMARY, ""]);
         let mut values = self.of_state(runs, &floors, end.as_ref());
-        set(&mut values, [(at::WORK_PER_CYCLE, last_repetition.and_then(|row| row.get(at::WORK_PER_CYCLE).copied().flatten()))]);
+        let cell = |row: &Option<Values>, place: usize| row.as_ref().and_then(|row| row.get(place).copied().flatten());
+        set(&mut values, at::OF_THE_LAST_CYCLE.map(|place| (place, cell(&last_cycle, place))));
+        // Of whatever repeats last.
+        let ended = |row: &Option<Values>| cell(row, at::TIME).map(|time| time.value);
+        if ended(&last_repetition) > ended(&last_cycle) {
+            set(&mut values, [(at::WORK_PER_CYCLE, cell(&last_repetition, at::WORK_PER_CYCLE))]);
+        }
         shift::widened(&mut values, &COLUMNS.map(|column| (column.name, column.measure)), &scales, &shifts);
         self.put(&mut answer, values, runs);
         self.conclude(&mut answer, &rows, runs);
@@ -213,7 +229,7 @@ impl FiniteRangePlan {
     }
 
     /// The bound of a tighter value.
-    fn change(&self, loose: f64, tight: f64) -> f64 {
+    pub(super) fn change(&self, loose: f64, tight: f64) -> f64 {
         let factor = if self.reduced.law.is_kinked() { KINKED } else { 1.0 };
         let by_chance = BY_CHANCE * Accuracy::of_law(self.solver_accuracy, &self.reduced.law).tightened().step;
         factor * (loose - tight).abs() + (by_chance + ROUNDING) * tight.abs()
@@ -390,13 +406,14 @@ impl FiniteRangePlan {
     /// Puts coherent values into a row in the units of the scene; flags a row whose bounds are too wide.
     fn fill(&self, row: &mut Row, values: Values, scales: &[f64], runs: &Runs) {
         let event = row.label(0) == "event";
-        // Repetitions are stated.
+        // Repetitions are stated, and so is what is left between cycles.
         let stated = row.label(0) == REPETITION;
         // Of events only the largest tension is held to the accuracy: when and where it acts, and where a fold is, is soft.
         let present = present(&self.indentation);
         let held = |place: usize| {
             present.contains(&place)
                 && !stated
+                && !matches!(place, at::DRIFT | at::SPREAD)
                 && (!event || (row.label(1) == LARGEST_TENSION && matches!(place, at::FORCE | at::PULL_OFF_RATIO)))
         };
         let shortfall = COLUMNS.iter().zip(&values).zip(scales).enumerate().find_map(|(place, ((definition, value), scale))| {

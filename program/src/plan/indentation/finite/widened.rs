@@ -1,7 +1,7 @@
 //! Bounds that do not trust one instant: where the errors of two runs cross, their difference is small by chance.
 
+use super::super::rows::Values;
 use super::columns::at;
-use super::rows::Values;
 
 /// A bound is at least this part of the largest one of its column.
 const FLOOR: f64 = 0.05;
@@ -40,6 +40,27 @@ impl Floors {
         for (place, floor) in FOUND.into_iter().zip(self.0) {
             if let Some(Some(value)) = values.get_mut(place) {
                 value.error = value.error.max(floor);
+            }
+        }
+    }
+}
+
+/// Extremes of cycles, and the column of instants that each is of.
+pub(super) const EXTREMES: [(usize, usize); 6] = [
+    (at::SMALLEST_PENETRATION, at::PENETRATION),
+    (at::LARGEST_PENETRATION, at::PENETRATION),
+    (at::SMALLEST_FORCE, at::FORCE),
+    (at::LARGEST_FORCE, at::FORCE),
+    (at::SMALLEST_CONTACT_RADIUS, at::CONTACT_RADIUS),
+    (at::LARGEST_CONTACT_RADIUS, at::CONTACT_RADIUS),
+];
+
+impl Floors {
+    /// Widens the bounds of the extremes of a cycle to those of the instants.
+    pub(super) fn raise_extremes(&self, values: &mut Values) {
+        for (extreme, place) in EXTREMES {
+            if let Some(Some(value)) = values.get_mut(extreme) {
+                value.error = value.error.max(self.at(place));
             }
         }
     }
