@@ -141,6 +141,14 @@ pub(super) fn every(problem: &Problem, largest: usize, cells: f64) -> Vec<Reache
     all
 }
 
+/// The surfaces at a held mean gap that no contact bridges, at the real range.
+pub(super) fn apart(problem: &Problem, largest: usize, cells: f64) -> Option<Reached> {
+    let mut search = Search::new(problem, largest, cells);
+    let lift = search.lifts().first().copied()?;
+    let found = search.follow(Path::Range, lift, 0.0)?;
+    Some(search.reached(found, Path::Range))
+}
+
 impl Reached {
     /// Whether a small disturbance grows under what is held.
     fn grows(&mut self, problem: &Problem) -> bool {

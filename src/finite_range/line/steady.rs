@@ -28,8 +28,8 @@ const ON_THE_WAY: f64 = 0.05;
 /// Products times nodes of one damped motion.
 const RELAXATION: usize = 20_000_000;
 
-/// No contact: so many ranges above the highest point. At most so many gaps are tried from there.
-const FAR: f64 = 4.0;
+/// No contact: so many ranges above the highest point, where the tail of an exponential law pulls no wave of the body. So many gaps are tried from there.
+const FAR: f64 = 12.0;
 const GAPS: usize = 16;
 
 /// Numbers that differ by less than this part of themselves belong to one state.
@@ -145,9 +145,10 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
             ),
         }),
         // What no long range leads to may lie next to a state under another load, at the real range.
-        Cold::Lost { refusal, on_a_grid } => from_another_load(problem, request).or_else(|_| from_far(problem, request)).or_else(|_| {
-            // A search that found no partial contact leaves the full one. A state that a coarse grid has and a finer one loses may exist.
-            if on_a_grid { Err(refusal) } else { super::full::full_contact(problem, request).map_err(|_| refusal) }
+        Cold::Lost { refusal, on_a_grid } => from_another_load(problem, request).or_else(|_| {
+            // A state that a coarse grid has and a finer one loses may exist.
+            let full = if on_a_grid { None } else { super::full::full_contact(problem, request).ok() };
+            full.map(|full| from_no_contact(problem, request).unwrap_or(full)).ok_or(refusal)
         }),
     }
 }
@@ -228,52 +229,39 @@ fn along_loads(problem: &Problem, request: &Request, start: f64, wanted: f64) ->
     Err(lost("it has no other load to start from"))
 }
 
-/// A partial contact, by held mean gaps from far to near: the load rises through its folds until it is the wanted one.
-fn from_far(problem: &Problem, request: &Request) -> Result<SteadyState, Refusal> {
+/// A partial contact, by held mean gaps from no contact on: the surfaces snap into contact, then the gap follows what the control lacks.
+fn from_no_contact(problem: &Problem, request: &Request) -> Option<SteadyState> {
     let rough = Request { accuracy: request.accuracy.max(ON_THE_WAY), ..*request };
-    let lost = |detail: &str| Refusal::NotConverged { what: "the way from no contact", detail: detail.to_owned() };
-    let half_height = problem.profile.half_height();
     let held = |gap: f64| Problem { control: Control::MeanGap(gap), ..problem.clone() };
-    // What the control still lacks, positive as long as the surfaces are too far.
+    // Positive as long as the surfaces are too far from each other.
     let lacks = |state: &SteadyState| match problem.control {
         Control::MeanPressure(wanted) => wanted - state.numbers.mean_pressure,
         Control::MeanGap(wanted) => state.numbers.mean_gap - wanted,
         Control::Frame { stiffness, position } => stiffness * (state.numbers.mean_gap - position) - state.numbers.mean_pressure,
     };
-    let far = problem.profile.heights().iter().copied().fold(0.0, f64::max) + FAR * problem.attraction.range;
-    let mut state = match from_long_ranges(&held(far), &rough) {
-        Cold::Found(state) => *state,
-        Cold::Lost { refusal, .. } => return Err(refusal),
-        Cold::TooFewNodes => return Err(lost("its range needs more nodes than are allowed")),
-    };
-    if lacks(&state) <= 0.0 {
-        return Err(lost("the control is met without contact"));
-    }
-    let (mut gap, mut step) = (far, AWAY * half_height);
+    let is_partial = |state: &SteadyState| state.numbers.contact_fraction > 0.0 && state.numbers.contact_fraction < 1.0;
+    let mut gap = problem.profile.heights().iter().copied().fold(0.0, f64::max) + FAR * problem.attraction.range;
+    let cells = cells(problem, request).first().copied().unwrap_or(CELLS[0]);
+    let apart = reach::apart(&held(gap), request.most_nodes / 4, cells)?;
+    let mut state = refine(&held(gap), &rough, apart, ReachedBy::AnotherLoad).ok()?;
+    let mut step = AWAY * problem.profile.half_height();
     for _ in 0..GAPS {
-        if gap - step <= 0.0 {
-            step *= 0.5;
-            continue;
+        let next_gap = if is_partial(&state) && lacks(&state) < 0.0 { gap + step } else { gap - step };
+        let next = if next_gap > 0.0 { follow_or_settle(&held(next_gap), &state, &rough).ok() } else { None };
+        // Neither the full contact nor the loss of a contact leads on.
+        match next.filter(|next| is_partial(next) || next.numbers.contact_fraction < 1.0 && !is_partial(&state)) {
+            Some(next) if is_partial(&state) && lacks(&state) * lacks(&next) <= 0.0 => {
+                let found = [&next, &state].into_iter().find_map(|near| follow(problem, near, request).ok().filter(is_partial));
+                if let Some(found) = found {
+                    return Some(SteadyState { reached_by: ReachedBy::AnotherLoad, ..found });
+                }
+                step *= 0.5;
+            }
+            Some(next) => (state, gap) = (next, next_gap),
+            None => step *= 0.5,
         }
-        let Ok(next) = follow_or_settle(&held(gap - step), &state, &rough) else {
-            step *= 0.5;
-            continue;
-        };
-        if lacks(&next) > 0.0 {
-            (state, gap) = (next, gap - step);
-            continue;
-        }
-        // Near the wanted load: the way along it is short from either side.
-        let found = [&next, &state].into_iter().find_map(|near| {
-            let found = follow(problem, near, request).ok()?;
-            (found.numbers.contact_fraction > 0.0 && found.numbers.contact_fraction < 1.0).then_some(found)
-        });
-        if let Some(found) = found {
-            return Ok(SteadyState { reached_by: ReachedBy::AnotherLoad, ..found });
-        }
-        step *= 0.5;
     }
-    Err(lost("no partial contact was reached"))
+    None
 }
 
 /// Every state of the problem that a search finds: profiles lifted by several parts of their height, from several ranges of the law down to
@@ -452,7 +440,10 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
         let (mut finer, start) = reach::refined(problem, &equations, &state, place);
         let mut next = start.clone();
         let finer_nodes = finer.len();
-        let solved = newton::solve(&mut finer, &mut next, newton::FINE, 6000).or_else(|_| {
+        let solved = newton::solve(&mut finer, &mut next, newton::FINE, 6000).or_else(|stalled| {
+            if !matches!(reached_by, ReachedBy::ColdStart(_)) {
+                return Err(stalled);
+            }
             // An edge that moves by many of the finer nodes leads Newton's full steps astray, not damped ones.
             next.clone_from(&start);
             newton::relax(&mut finer, &mut next, newton::FINE, RELAXATION / finer_nodes)
