@@ -285,6 +285,43 @@ impl Dice {
     }
 }
 
+/// A line may start anywhere on the grid: the place of its edges between the nodes moves with it, its friction does not.
+#[test]
+fn a_line_moved_along_the_grid_keeps_its_friction_where_memory_lies_between_the_nodes() {
+    let modulus = material(100.0, &[0.25, 0.25, 0.25, 0.24], &[1.0, 0.1, 0.01, 0.001]);
+    let attraction = Attraction::new(Law::Exponential, 0.0127, 0.042).unwrap();
+    let at = |cells: f64, request: &Request| {
+        let waves = [Harmonic { number: 1, amplitude: 1.0, phase: cells * TAU / 512.0 }];
+        let problem =
+            Problem::new(Profile::harmonics(&waves).unwrap(), modulus.clone(), 0.1, attraction.clone(), Control::MeanPressure(0.2));
+        solve(&problem, request).unwrap()
+    };
+    let truth = at(0.0, &Request { accuracy: 1e-12, least_nodes: 512, most_nodes: 1 << 15 });
+    for step in 0..12 {
+        let moved = at(f64::from(step) / 12.0, &Request { accuracy: 2e-2, ..Request::default() });
+        let off = (moved.numbers.friction_stress - truth.numbers.friction_stress).abs();
+        assert!(moved.fields.nx < truth.fields.nx);
+        let bound = moved.errors.friction_stress + truth.errors.friction_stress;
+        assert!(off <= bound, "moved by {step}/12 of a cell: {off:.1e} off, bound {bound:.1e}");
+    }
+}
+
+/// Repulsion without a wall is a spring of some thousand times one wave's stiffness: it takes no more products than a wall does.
+#[test]
+fn a_short_law_without_a_wall_in_wide_contact_is_the_same_under_its_load() {
+    let attraction = Attraction::new(Law::LennardJones, 0.0453, 0.0152).unwrap();
+    let held = |gap: f64| Problem::new(wave(), standard(10.0), 0.079, attraction.clone(), Control::MeanGap(gap));
+    let request = Request { accuracy: 1e-2, least_nodes: 512, most_nodes: 1 << 14 };
+    let state = solve(&held(0.155), &request).unwrap();
+    assert!(state.node_products < 20_000_000, "{} products times nodes", state.node_products);
+    let loaded = Problem { control: Control::MeanPressure(state.numbers.mean_pressure), ..held(0.155) };
+    let back = follow(&loaded, &state, &Request { accuracy: 1e-12, most_nodes: 2 * state.fields.nx, ..request }).unwrap();
+    assert!((back.numbers.mean_gap - 0.155).abs() <= state.errors.mean_gap + back.errors.mean_gap);
+    let off = (back.numbers.friction_stress - state.numbers.friction_stress).abs();
+    assert!(off <= state.errors.friction_stress + back.errors.friction_stress, "{off:.1e}");
+    assert!((state.certificate.friction_by_surface - state.certificate.friction_by_loss).abs() < 1e-9);
+}
+
 /// Random scenes: whatever is returned agrees with a grid eight times finer within the bounds, or the finer one refuses with a reason.
 #[test]
 fn random_scenes_agree_with_finer_grids_or_are_refused() {

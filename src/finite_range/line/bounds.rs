@@ -4,6 +4,8 @@
 //! one or two differences may be small by chance. The larger of the last two counts, and of the earlier ones what 1/4 a doubling
 //! leaves of them: errors with edges fall like N^−1.5 to N^−2. Where the differences fall more slowly, what is left is a geometric series
 //! of their ratio. The friction has a bound beside these: by the profile and by the loss it is the same but for the discretisation.
+//! Where the body's shortest memory length lies between the nodes, the coefficient changes with every doubling. There the other half of the nodes,
+//! those that the grid before has not, is solved as a grid of its own: its difference from the grid before shows what the places of the edges change.
 //! A smooth law without a wall converges faster with every doubling: the last difference times a geometric series of the last ratio bounds
 //! what is left of every number but those that part where the stress changes its sign.
 
@@ -21,7 +23,9 @@ const SLOWEST: f64 = 0.75;
 /// Differences that count: the earliest grids of a search are too coarse to say anything.
 pub(super) const AGES: usize = 4;
 /// Safety factor of a geometric series.
-const SAFETY: f64 = 4.0;
+pub(super) const SAFETY: f64 = 4.0;
+/// A change of the modulus over an octave that counts.
+const UNSEEN: f64 = 0.05;
 /// A number whose difference is small by chance takes this part of the largest relative difference.
 const SHARED: f64 = 0.25;
 /// Places of the numbers in a list.
@@ -75,6 +79,14 @@ fn left(newest_first: &[[f64; 7]], i: usize) -> f64 {
     };
     let ratio = ratio.min(SLOWEST);
     (ratio / (1.0 - ratio)).max(1.0)
+}
+
+/// Whether the modulus still changes over the octave beyond the highest wave of a grid: then the grid sees another body next to an edge than finer
+/// ones do, and two differences in a row may be small by chance.
+pub(super) fn memory_is_unseen(problem: &Problem, nx: usize) -> bool {
+    let highest = problem.speed * 0.5 * nx as f64;
+    let (seen, beyond) = ((problem.modulus)(highest), (problem.modulus)(2.0 * highest));
+    (beyond - seen).norm() > UNSEEN * seen.norm()
 }
 
 /// What numbers are compared with.

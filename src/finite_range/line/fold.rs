@@ -3,6 +3,7 @@
 //! Around the fold one quantity (gap or pressure) runs straight through while the other turns. Seven states at equal steps of the
 //! first are fitted by a quartic: it smooths the noise of edges that pass from node to node, which a local search would follow.
 
+use super::bounds::{self, Convergence};
 use super::branch::{FoldKind, RoughFold};
 use super::grid::{Equations, State};
 use super::newton;
@@ -25,7 +26,7 @@ pub struct Fold {
     pub kind: FoldKind,
     /// The numbers at the fold on the finest grid.
     pub numbers: Numbers,
-    /// Their errors: the larger of the last two differences between grids, plus the misfit of the curve.
+    /// Their errors: the larger of the last two differences between grids (four times it for lines with edges), plus the misfit of the curve.
     pub errors: Numbers,
     /// Nodes along x of the finest grid.
     pub nodes: usize,
@@ -92,7 +93,10 @@ pub fn locate(problem: &Problem, rough: &RoughFold) -> Result<Fold, Refusal> {
             detail: format!("it leaves the samples around {middle:.6}"),
         }));
     };
-    let errors = std::array::from_fn(|i| (c[i] - b[i]).abs().max((b[i] - a[i]).abs()) + misfit[i]);
+    // Of fewer grids than an accuracy takes both differences may be small by chance, as for a state.
+    let wanted = Convergence::of(&problem.attraction).grids(problem.profile.is_line());
+    let few = if GRIDS < wanted { bounds::SAFETY } else { 1.0 };
+    let errors = std::array::from_fn(|i| few * (c[i] - b[i]).abs().max((b[i] - a[i]).abs()) + misfit[i]);
     Ok(Fold { kind: rough.kind, numbers: Numbers::from_list(*c), errors: Numbers::from_list(errors), nodes: equations.grid.nx() })
 }
 

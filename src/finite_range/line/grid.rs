@@ -59,7 +59,10 @@ pub(super) struct Equations {
     law_stiffness: Vec<f64>,
     free: Vec<bool>,
     scaling: Option<Vec<f64>>,
+    /// 1/(A + the law's mean stiffness where it repels) over the number of nodes.
+    stiff_softness: Vec<Complex64>,
     work: Vec<f64>,
+    spare: Vec<f64>,
 }
 
 impl Equations {
@@ -82,7 +85,9 @@ impl Equations {
             law_stiffness: vec![0.0; n],
             free: vec![true; n],
             scaling: None,
+            stiff_softness: Vec::new(),
             work: vec![0.0; n],
+            spare: vec![0.0; n],
             grid,
         };
         equations.set_stiffness(problem, stiffening);
@@ -165,28 +170,32 @@ impl Equations {
 
     /// Takes the linear part at a state.
     pub(super) fn linearise(&mut self, state: &State) {
-        let mut steepest = 0.0_f64;
         for i in 0..self.len() {
             self.free[i] = !state.contact[i];
             self.law_stiffness[i] = if self.free[i] { -self.law.slope(state.gap[i].max(self.wall)) } else { 0.0 };
-            steepest = steepest.max(self.law_stiffness[i]);
         }
-        // Repulsion without a wall is a stiff spring at every node in contact: both sides are scaled by it.
-        self.scale(steepest);
+        self.scale();
     }
 
     /// Adds a stiffness to every node off contact.
     pub(super) fn damp(&mut self, stiffness: f64) {
-        let mut steepest = 0.0_f64;
         for (k, free) in self.law_stiffness.iter_mut().zip(&self.free) {
             *k += if *free { stiffness } else { 0.0 };
-            steepest = steepest.max(*k);
         }
-        self.scale(steepest);
+        self.scale();
     }
 
-    fn scale(&mut self, steepest: f64) {
+    /// Splits the nodes, smoothly, into soft ones and those where a spring stiffer than one wave of the body stands (repulsion without a wall).
+    /// The squares of both parts add up to one; each part has a preconditioner of its own, 1/(A + shift) and 1/(A + the springs' mean).
+    fn scale(&mut self) {
+        let steepest = self.law_stiffness.iter().copied().fold(0.0, f64::max);
         self.scaling = (steepest > SHIFT).then(|| self.law_stiffness.iter().map(|k| (SHIFT / (SHIFT + k.max(0.0))).sqrt()).collect());
+        let Some(scaling) = &self.scaling else { return };
+        let stiff = || scaling.iter().map(|s| 1.0 - s * s);
+        let logarithms: f64 = stiff().zip(&self.law_stiffness).map(|(part, k)| part * k.max(SHIFT).ln()).sum();
+        let spring = (logarithms / stiff().sum::<f64>()).exp();
+        let nodes = self.grid.len() as f64;
+        self.stiff_softness = self.stiffness.iter().map(|a| (nodes * (a * nodes + spring)).inv()).collect();
     }
 }
 
@@ -252,6 +261,13 @@ impl LinearSystem for Equations {
         for i in 0..n {
             let scale = self.scaling.as_ref().map_or(1.0, |s| s[i]);
             output[i] = if self.free[i] { (output[i] + mean_gap) * scale } else { 0.0 };
+        }
+        if let Some(scaling) = &self.scaling {
+            let stiff = |s: &f64| (1.0 - s * s).sqrt();
+            self.work.iter_mut().zip(input.iter().zip(scaling)).for_each(|(w, (v, s))| *w = v * stiff(s));
+            self.grid.apply(&self.stiff_softness, &self.work, &mut self.spare);
+            let nodes = output.iter_mut().zip(&self.spare).zip(scaling).zip(&self.free);
+            nodes.for_each(|(((v, z), s), free)| *v += if *free { z * stiff(s) } else { 0.0 });
         }
         output[n] = (shift * r - a * m0) / (shift * b - a) / border;
         output[n] = if output[n].is_finite() { output[n] } else { 0.0 };

@@ -17,6 +17,8 @@ pub(super) const FINE: f64 = 1e-12;
 pub(super) const COARSE: f64 = 1e-7;
 /// Most Newton steps: an edge on a fine grid may move by one node a step.
 const STEPS: usize = 120;
+/// The same of a damped motion to an answer: its edges move slowly.
+const DAMPED_STEPS: usize = 400;
 /// Steps over which the residual must fall.
 const PATIENCE: usize = 4;
 /// One more Newton step builds its Krylov space anew: it costs about as many products as three digits.
@@ -77,7 +79,8 @@ fn descend(equations: &mut Equations, state: &mut State, accepted: f64, budget: 
     let mut residual = f64::INFINITY;
     let mut recent: Vec<f64> = Vec::new();
     let least_of = |norms: &[f64]| norms.iter().copied().fold(f64::INFINITY, f64::min);
-    for steps in 0..=STEPS {
+    let most = if damped && accepted <= FINE { DAMPED_STEPS } else { STEPS };
+    for steps in 0..=most {
         let mut changed = false;
         if has_wall {
             changed = move_contact(equations, state, &pressure, steps == 0);
@@ -113,7 +116,7 @@ fn descend(equations: &mut Equations, state: &mut State, accepted: f64, budget: 
         let spent = equations.products - first;
         let (before, latest) = recent.split_at(recent.len().saturating_sub(WANDERING));
         let wanders = !has_wall && !damped && !before.is_empty() && least_of(latest) > 0.5 * least_of(before);
-        if steps == STEPS || spent >= budget || wanders {
+        if steps == most || spent >= budget || wanders {
             break;
         }
         rhs[n] = control * (n as f64).sqrt();
@@ -157,7 +160,7 @@ fn descend(equations: &mut Equations, state: &mut State, accepted: f64, budget: 
             length *= 0.5;
         }
     }
-    Err(Stalled { steps: STEPS, residual })
+    Err(Stalled { steps: most, residual })
 }
 
 /// Moves the contact set and puts its nodes on the wall; whether anything changed. On the first pass the set is the given one, except

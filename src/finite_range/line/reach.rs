@@ -85,14 +85,28 @@ pub(super) fn nodes_for(problem: &Problem, range: f64, cells: f64) -> usize {
 pub(super) fn cold(problem: &Problem, largest: usize, cells: f64) -> Result<Reached, Refusal> {
     let mut search = Search::new(problem, largest, cells);
     let mut unstable = None;
-    for path in [Path::RangeThenRamp, Path::Range, Path::ModulusThenRange, Path::RangeThenModulus, Path::Closed] {
+    let convex = search.convex_start();
+    for (path, start) in [
+        (Path::RangeThenRamp, LONG_RANGE),
+        (Path::Range, LONG_RANGE),
+        (Path::Range, convex),
+        (Path::ModulusThenRange, LONG_RANGE),
+        (Path::RangeThenModulus, LONG_RANGE),
+        (Path::Closed, LONG_RANGE),
+    ] {
         let closed_form =
             path == Path::Closed && problem.attraction.wall().is_some() || path == Path::RangeThenRamp && !has_steep_ramp(problem);
-        for lift in if path == Path::Closed { vec![CLOSED] } else { search.lifts() } {
+        let lifts = match path {
+            Path::Closed => vec![CLOSED],
+            // Every first guess leads to the one state there.
+            Path::Range if start > LONG_RANGE => search.lifts().into_iter().take(1).collect(),
+            _ => search.lifts(),
+        };
+        for lift in lifts {
             if closed_form || (search.work > SEARCH_BUDGET && path != Path::Closed) {
                 break;
             }
-            let Some(found) = search.follow(path, lift, LONG_RANGE) else { continue };
+            let Some(found) = search.follow(path, lift, start) else { continue };
             let mut reached = search.reached(found, path);
             if reached.grows(problem) {
                 unstable.get_or_insert(reached);
@@ -125,6 +139,14 @@ pub(super) fn every(problem: &Problem, largest: usize, cells: f64) -> Vec<Reache
         }
     }
     all
+}
+
+/// The surfaces at a held mean gap that no contact bridges, at the real range.
+pub(super) fn apart(problem: &Problem, largest: usize, cells: f64) -> Option<Reached> {
+    let mut search = Search::new(problem, largest, cells);
+    let lift = search.lifts().first().copied()?;
+    let found = search.follow(Path::Range, lift, 0.0)?;
+    Some(search.reached(found, Path::Range))
 }
 
 impl Reached {
@@ -168,6 +190,16 @@ impl<'a> Search<'a> {
             Control::MeanGap(gap) => vec![gap / self.problem.profile.half_height(), 0.3, 1.0],
             _ => LIFTS.to_vec(),
         }
+    }
+
+    /// The range, over half of the height, from which on the tension falls less steeply than the softest wave of the body resists: there is one state.
+    /// A thin free layer bends: its long waves are far softer than those of a half-space.
+    fn convex_start(&self) -> f64 {
+        let Problem { attraction, profile, .. } = self.problem;
+        let equations = Equations::new(self.problem, COARSEST.min(self.largest), 1.0, attraction.range);
+        let softest = equations.stiffness.iter().skip(1).map(|a| a.re * equations.len() as f64).fold(f64::INFINITY, f64::min);
+        let range = attraction.range * (attraction.steepest_slope() / softest).sqrt();
+        if range.is_finite() { (range / profile.half_height()).max(LONG_RANGE) } else { LONG_RANGE }
     }
 
     /// Along a path from a profile lifted by a part of its highest point; `start`: the long range over half of the height.

@@ -25,6 +25,13 @@ const LOADS: f64 = 4.0;
 const SHORTER: f64 = 64.0;
 const ON_THE_WAY: f64 = 0.05;
 
+/// Products times nodes of one damped motion.
+const RELAXATION: usize = 20_000_000;
+
+/// No contact: so many ranges above the highest point, where the tail of an exponential law pulls no wave of the body. So many gaps are tried from there.
+const FAR: f64 = 12.0;
+const GAPS: usize = 16;
+
 /// Numbers that differ by less than this part of themselves belong to one state.
 const SAME: f64 = 1e-3;
 
@@ -139,8 +146,9 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
         }),
         // What no long range leads to may lie next to a state under another load, at the real range.
         Cold::Lost { refusal, on_a_grid } => from_another_load(problem, request).or_else(|_| {
-            // A search that found no partial contact leaves the full one. A state that a coarse grid has and a finer one loses may exist.
-            if on_a_grid { Err(refusal) } else { super::full::full_contact(problem, request).map_err(|_| refusal) }
+            // A state that a coarse grid has and a finer one loses may exist.
+            let full = if on_a_grid { None } else { super::full::full_contact(problem, request).ok() };
+            full.map(|full| from_no_contact(problem, request).unwrap_or(full)).ok_or(refusal)
         }),
     }
 }
@@ -221,6 +229,41 @@ fn along_loads(problem: &Problem, request: &Request, start: f64, wanted: f64) ->
     Err(lost("it has no other load to start from"))
 }
 
+/// A partial contact, by held mean gaps from no contact on: the surfaces snap into contact, then the gap follows what the control lacks.
+fn from_no_contact(problem: &Problem, request: &Request) -> Option<SteadyState> {
+    let rough = Request { accuracy: request.accuracy.max(ON_THE_WAY), ..*request };
+    let held = |gap: f64| Problem { control: Control::MeanGap(gap), ..problem.clone() };
+    // Positive as long as the surfaces are too far from each other.
+    let lacks = |state: &SteadyState| match problem.control {
+        Control::MeanPressure(wanted) => wanted - state.numbers.mean_pressure,
+        Control::MeanGap(wanted) => state.numbers.mean_gap - wanted,
+        Control::Frame { stiffness, position } => stiffness * (state.numbers.mean_gap - position) - state.numbers.mean_pressure,
+    };
+    let is_partial = |state: &SteadyState| state.numbers.contact_fraction > 0.0 && state.numbers.contact_fraction < 1.0;
+    let mut gap = problem.profile.heights().iter().copied().fold(0.0, f64::max) + FAR * problem.attraction.range;
+    let cells = cells(problem, request).first().copied().unwrap_or(CELLS[0]);
+    let apart = reach::apart(&held(gap), request.most_nodes / 4, cells)?;
+    let mut state = refine(&held(gap), &rough, apart, ReachedBy::AnotherLoad).ok()?;
+    let mut step = AWAY * problem.profile.half_height();
+    for _ in 0..GAPS {
+        let next_gap = if is_partial(&state) && lacks(&state) < 0.0 { gap + step } else { gap - step };
+        let next = if next_gap > 0.0 { follow_or_settle(&held(next_gap), &state, &rough).ok() } else { None };
+        // Neither the full contact nor the loss of a contact leads on.
+        match next.filter(|next| is_partial(next) || next.numbers.contact_fraction < 1.0 && !is_partial(&state)) {
+            Some(next) if is_partial(&state) && lacks(&state) * lacks(&next) <= 0.0 => {
+                let found = [&next, &state].into_iter().find_map(|near| follow(problem, near, request).ok().filter(is_partial));
+                if let Some(found) = found {
+                    return Some(SteadyState { reached_by: ReachedBy::AnotherLoad, ..found });
+                }
+                step *= 0.5;
+            }
+            Some(next) => (state, gap) = (next, next_gap),
+            None => step *= 0.5,
+        }
+    }
+    None
+}
+
 /// Every state of the problem that a search finds: profiles lifted by several parts of their height, from several ranges of the law down to
 /// the real one; full contact by its closed form. The one that [`solve`] returns comes first. There may be more.
 ///
@@ -266,17 +309,32 @@ pub fn follow(problem: &Problem, from: &SteadyState, request: &Request) -> Resul
     let old = &from.fields;
     if old.nx / 8 >= COARSEST_OF_A_NEIGHBOUR && old.ny == 1 {
         // Three differences between grids bound the error better than two.
-        if let Ok(state) = follow_from(problem, from, request, 8) {
+        if let Ok(state) = follow_from(problem, from, request, 8, End::Refused) {
             return Ok(state);
         }
     }
-    // Two grids coarser, so that the given grid is the third one of the error; every fourth node is a node there.
-    let stride = if old.nx >= 256 && (old.ny == 1 || old.ny.is_multiple_of(8)) { 4 } else { 1 };
-    follow_from(problem, from, request, stride)
+    follow_from(problem, from, request, third_coarsest(old), End::Refused)
+}
+
+/// The state next to a given one, or where its branch ends the one that a damped motion settles in.
+fn follow_or_settle(problem: &Problem, from: &SteadyState, request: &Request) -> Result<SteadyState, Refusal> {
+    follow(problem, from, request).or_else(|_| follow_from(problem, from, request, third_coarsest(&from.fields), End::Settles))
+}
+
+/// Two grids coarser, so that the given grid is the third one of the error; every fourth node is a node there.
+fn third_coarsest(old: &Fields) -> usize {
+    if old.nx >= 256 && (old.ny == 1 || old.ny.is_multiple_of(8)) { 4 } else { 1 }
+}
+
+/// What becomes of a state whose branch ends before the next one.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum End {
+    Refused,
+    Settles,
 }
 
 /// The same from every so manyth node of the neighbour.
-fn follow_from(problem: &Problem, from: &SteadyState, request: &Request, stride: usize) -> Result<SteadyState, Refusal> {
+fn follow_from(problem: &Problem, from: &SteadyState, request: &Request, stride: usize, end: End) -> Result<SteadyState, Refusal> {
     let old = &from.fields;
     let mut equations = Equations::new(problem, old.nx / stride, 1.0, problem.attraction.range);
     let stride_y = if old.ny == 1 { 1 } else { stride };
@@ -289,9 +347,16 @@ fn follow_from(problem: &Problem, from: &SteadyState, request: &Request, stride:
     let before = State { gap, contact, mean_pressure: from.numbers.mean_pressure };
     let mut state = before.clone();
     let lost = |detail: String| Refusal::NotConverged { what: "the step to the next state", detail };
-    let report = newton::solve(&mut equations, &mut state, newton::FINE, 6000)
-        .map_err(|stalled| lost(format!("residual {:.1e} on {} nodes", stalled.residual, old.nx / stride)))?;
-    if reach::is_jump(problem, &before, &state) {
+    let solved = newton::solve(&mut equations, &mut state, newton::FINE, 6000).or_else(|stalled| match end {
+        End::Refused => Err(stalled),
+        End::Settles => {
+            state.clone_from(&before);
+            let nodes = equations.len();
+            newton::relax(&mut equations, &mut state, newton::FINE, RELAXATION / nodes)
+        }
+    });
+    let report = solved.map_err(|stalled| lost(format!("residual {:.1e} on {} nodes", stalled.residual, old.nx / stride)))?;
+    if end == End::Refused && reach::is_jump(problem, &before, &state) {
         let (old_gap, new_gap) = (before.mean_gap(), state.mean_gap());
         return Err(lost(format!("it jumps from mean gap {old_gap:.5} to {new_gap:.5}: take a shorter step, or the branch ends here")));
     }
@@ -320,18 +385,25 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
         let nx = equations.grid.nx();
         let stress = numbers.mean_pressure.abs().max(numbers.repulsive_pressure).max(numbers.adhesive_pressure.abs()).max(1e-12);
         let scale = bounds::Scale::new(&equations, stress, half_height);
-        let (errors, factor) = bounds::of(&history, certificate.spread(), problem, &scale, report.mean_residual);
-        let errors = bounds::with_edges(errors, problem, &fields);
+        let (mut errors, factor) = bounds::of(&history, certificate.spread(), problem, &scale, report.mean_residual);
+        errors = bounds::with_edges(errors, problem, &fields);
         let floor = SMALL_FRICTION * stress * half_height;
-        let worst = [
-            errors[2] / numbers.friction_stress.abs().max(floor),
-            errors[1] / (numbers.mean_gap.abs().max(half_height)),
-            errors[0] / stress,
-        ]
-        .into_iter()
-        .fold(0.0, f64::max)
-            / request.accuracy;
-        let met = history.len() >= grids && worst <= 1.0 && nx >= request.least_nodes;
+        let worst_of = |errors: &[f64; 7]| {
+            let friction = errors[2] / numbers.friction_stress.abs().max(floor);
+            friction.max(errors[1] / numbers.mean_gap.abs().max(half_height)).max(errors[0] / stress) / request.accuracy
+        };
+        let is_met = |worst: f64| history.len() >= grids && worst <= 1.0 && nx >= request.least_nodes;
+        let mut worst = worst_of(&errors);
+        if (is_met(worst) || 2 * nx > request.most_nodes) && convergence == Convergence::Edges && bounds::memory_is_unseen(problem, nx) {
+            let (shifted, spent) = on_shifted_grid(problem, &equations, &state);
+            products += spent;
+            work += spent * nx / 2;
+            if let (Some(shifted), [.., before, _]) = (shifted, history.as_slice()) {
+                errors = std::array::from_fn(|i| errors[i].max((shifted[i] - before[i]).abs()));
+            }
+            worst = worst_of(&errors);
+        }
+        let met = is_met(worst);
         let growth = worst.max(1.0).powf(1.0 / 1.5).min(1e6);
         if let Some(before) = &before {
             differences = differences.on_finer_grid(before, &fields, bounds::AGES);
@@ -367,7 +439,16 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
         }
         let (mut finer, start) = reach::refined(problem, &equations, &state, place);
         let mut next = start.clone();
-        match newton::solve(&mut finer, &mut next, newton::FINE, 6000) {
+        let finer_nodes = finer.len();
+        let solved = newton::solve(&mut finer, &mut next, newton::FINE, 6000).or_else(|stalled| {
+            if !matches!(reached_by, ReachedBy::ColdStart(_)) {
+                return Err(stalled);
+            }
+            // An edge that moves by many of the finer nodes leads Newton's full steps astray, not damped ones.
+            next.clone_from(&start);
+            newton::relax(&mut finer, &mut next, newton::FINE, RELAXATION / finer_nodes)
+        });
+        match solved {
             Ok(found) if !reach::is_jump(problem, &state, &next) => {
                 report = found;
                 equations = finer;
@@ -393,6 +474,25 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
             }
         }
     }
+}
+
+/// The numbers on the other half of a line's nodes, those that the grid before has not, and the products they took: its edges fall at other places
+/// between the nodes. Nothing where the profile has waves that half of the nodes do not carry.
+fn on_shifted_grid(problem: &Problem, equations: &Equations, state: &State) -> (Option<[f64; 7]>, usize) {
+    let nx = equations.grid.nx() / 2;
+    if !problem.profile.is_line() || problem.profile.own_nx() > nx {
+        return (None, 0);
+    }
+    let mut shifted = Equations::new(problem, nx, 1.0, problem.attraction.range);
+    shifted.heights = equations.heights.iter().skip(1).step_by(2).copied().collect();
+    let mut start = State {
+        gap: state.gap.iter().skip(1).step_by(2).copied().collect(),
+        contact: state.contact.iter().skip(1).step_by(2).copied().collect(),
+        mean_pressure: state.mean_pressure,
+    };
+    let solved = newton::solve(&mut shifted, &mut start, newton::FINE, 6000);
+    let numbers = solved.ok().map(|report| solution::evaluate(&mut shifted, &start, report).0.list());
+    (numbers, shifted.products)
 }
 
 /// The bounds of fields from their differences, with what rounding and the residual leave; a node in contact has the gap of the wall.
