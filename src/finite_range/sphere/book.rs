@@ -2,12 +2,8 @@
 
 use super::kept_surface::Surface;
 use super::mesh::Mesher;
-<<<<<<< HEAD
 use super::newton::Row;
-use super::problem::{Accuracy, Control, Motion, Problem, Start};
-=======
 use super::problem::{Accuracy, Control, Motion, ON_TIME, Problem, Start};
->>>>>>> cycles
 use super::result::{Certificate, Jump, LANDED, LegSummary, Record, Run, SUM_OF_DURATIONS};
 use super::state::{Energies, State};
 use super::step::Solver;
