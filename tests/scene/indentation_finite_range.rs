@@ -311,7 +311,10 @@ fn a_profile_of_a_sphere_is_the_sphere_and_a_rim_holds_less() {
     std::fs::write(folder.path().join("sphere.csv"), format!("r (µm), z (µm)\n{rows}")).unwrap();
     let with = |shape: &str| {
         let text = format!("accuracy = 1e-4\n{}{PULLED}", RUBBER.replace("sphere = { radius = \"5 µm\" }", shape));
-        let document = Document::parse("scene.toml", text, folder.path()).unwrap();
+        let path = folder.path().join("scene.toml");
+        std::fs::write(&path, text).unwrap();
+        let mut document = Document::load(&path).unwrap();
+        read::resolve_includes(&mut document).unwrap();
         let scene = read::read(&document).unwrap_or_else(|error| panic!("{}", error.rendered()));
         plan::run(&document, &scene, Vec::new(), None, &|_| {}).unwrap()
     };

@@ -12,12 +12,14 @@ use std::sync::{Arc, Mutex};
 const PARALLEL_FROM: usize = 1 << 15;
 
 /// The transforms along y.
+#[derive(Clone)]
 struct Columns {
     forward: Arc<dyn Fft<f64>>,
     inverse: Arc<dyn Fft<f64>>,
 }
 
 /// The transforms of one grid, with their work space.
+#[derive(Clone)]
 pub(super) struct Transform {
     nx: usize,
     ny: usize,

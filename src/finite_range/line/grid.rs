@@ -40,6 +40,7 @@ impl State {
 }
 
 /// The equations on one grid for one law, stiffness and control.
+#[derive(Clone)]
 pub(super) struct Equations {
     pub(super) grid: Transform,
     pub(super) heights: Vec<f64>,

@@ -39,6 +39,7 @@ const SOLVE_BUDGET: usize = 3000;
 const SEARCH_BUDGET: usize = 150_000_000;
 
 /// A state with the equations it solves and the work it took.
+#[derive(Clone)]
 pub(super) struct Reached {
     pub(super) equations: Equations,
     pub(super) state: State,

@@ -166,7 +166,7 @@ enum Cold {
 }
 
 fn from_long_ranges(problem: &Problem, request: &Request) -> Cold {
-    let mut lost = Cold::TooFewNodes;
+    let (mut lost, mut on_coarse_grids) = (Cold::TooFewNodes, Vec::new());
     for cells in cells(problem, request) {
         // Two doublings more are needed for the error.
         if 4 * reach::nodes_for(problem, problem.attraction.range, cells) > request.most_nodes {
@@ -175,16 +175,19 @@ fn from_long_ranges(problem: &Problem, request: &Request) -> Cold {
         match reach::cold(problem, request.most_nodes / 4, cells) {
             Ok(reached) => {
                 let path = ReachedBy::ColdStart(reached.path);
-                match refine(problem, request, reached, path) {
+                match refine(problem, request, reached.clone(), path) {
                     Ok(state) => return Cold::Found(Box::new(state)),
                     Err(refusal) => lost = Cold::Lost { refusal, on_a_grid: true },
                 }
+                on_coarse_grids.push((reached, path));
             }
             Err(_) if matches!(lost, Cold::Lost { on_a_grid: true, .. }) => {}
             Err(refusal) => lost = Cold::Lost { refusal, on_a_grid: false },
         }
     }
-    lost
+    // A damped motion is the last resort: on coarse grids it may end where an edge hangs on a node, which widens the bounds.
+    let damped = |(reached, path)| refine_with(problem, request, reached, path, Motion::MayBeDamped).ok();
+    on_coarse_grids.into_iter().find_map(damped).map_or(lost, |state| Cold::Found(Box::new(state)))
 }
 
 /// The state, from one under another load: none, or a frame or a gap that is further away, then nearer.
@@ -367,6 +370,24 @@ fn follow_from(problem: &Problem, from: &SteadyState, request: &Request, stride:
 
 /// Doubles the grid until enough grids agree.
 pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, reached_by: ReachedBy) -> Result<SteadyState, Refusal> {
+    refine_with(problem, request, reached, reached_by, Motion::Newton)
+}
+
+/// How a state gets to a finer grid.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Motion {
+    Newton,
+    /// An edge that moves by many of the finer nodes leads Newton's full steps astray, not damped ones.
+    MayBeDamped,
+}
+
+fn refine_with(
+    problem: &Problem,
+    request: &Request,
+    reached: Reached,
+    reached_by: ReachedBy,
+    motion: Motion,
+) -> Result<SteadyState, Refusal> {
     let Reached { mut equations, mut state, mut report, mut products, mut work, .. } = reached;
     let mut before: Option<Fields> = None;
     let mut differences = Differences::default();
@@ -441,10 +462,9 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
         let mut next = start.clone();
         let finer_nodes = finer.len();
         let solved = newton::solve(&mut finer, &mut next, newton::FINE, 6000).or_else(|stalled| {
-            if !matches!(reached_by, ReachedBy::ColdStart(_)) {
+            if motion == Motion::Newton {
                 return Err(stalled);
             }
-            // An edge that moves by many of the finer nodes leads Newton's full steps astray, not damped ones.
             next.clone_from(&start);
             newton::relax(&mut finer, &mut next, newton::FINE, RELAXATION / finer_nodes)
         });

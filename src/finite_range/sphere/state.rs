@@ -116,10 +116,26 @@ impl State {
         surface.undeformed(0.0) + self.mesh.value_at(rule, &lifted, 0.0).unwrap_or(0.0) - surface.peak_gap()
     }
 
+    /// The edge of a contact with a hard wall before a node: the pressure falls to it as a square root, so its square on the last two nodes leads
+    /// there. Beyond it the gap opens too flat to say.
+    fn edge_on_wall(&self, outside: usize, gap: f64, surface: &Surface) -> Option<f64> {
+        let (u, x) = (&self.u, &self.mesh.x);
+        let (last, before) = (outside.checked_sub(1)?, outside.checked_sub(2)?);
+        if !(surface.touches(u[last]) && surface.touches(u[before])) {
+            return None;
+        }
+        let [one, other] = [before, last].map(|i| (u[i] - gap).powi(2));
+        let place = x[last] + other * (x[last] - x[before]) / (one - other);
+        Some(if one > other { place.min(x[outside]) } else { 0.5 * (x[last] + x[outside]) })
+    }
+
     /// The innermost radius where the gap passes a value, by the polynomial of its element; zero if the gap is larger everywhere.
     pub(super) fn radius_at_gap(&self, gap: f64, rule: &Rule, surface: &Surface) -> f64 {
         let (u, x) = (&self.u, &self.mesh.x);
         let Some(i) = (0..u.len()).find(|&i| surface.gap(u[i]) > gap) else { return self.mesh.radius() };
+        if let Some(place) = self.edge_on_wall(i, gap, surface) {
+            return place;
+        }
         let lifted: Vec<f64> = self.u.iter().zip(self.undeformed.iter()).map(|(u, flat)| u - flat).collect();
         let open = |x: f64| self.mesh.value_at(rule, &lifted, x).map_or(0.0, |lift| surface.undeformed(x) + lift - gap);
         let (mut low, mut high) = (if i == 0 { 0.0 } else { x[i - 1] }, x[i]);
