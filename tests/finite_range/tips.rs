@@ -58,8 +58,7 @@ fn a_punch_with_constant_tension_peels_as_the_closed_form_says() {
         assert!(gap < 0.9, "{gap}");
         let force = -2.0 * (contact * root + rim * rim * angle);
         assert!((row.force / force - 1.0).abs() < 2e-4, "{depth}: {} {force}", row.force);
-        // The gap opens flat at the edge of a hard wall, and the place is known to a part of an element.
-        assert!((row.contact_radius / contact - 1.0).abs() < 5e-3, "{depth}: {} {contact}", row.contact_radius);
+        assert!((row.contact_radius / contact - 1.0).abs() < 2e-3, "{depth}: {} {contact}", row.contact_radius);
     }
 }
 

@@ -307,7 +307,7 @@ fn a_punch_with_constant_tension_follows_its_closed_form() {
 #[test]
 fn a_profile_of_a_sphere_is_the_sphere_and_a_rim_holds_less() {
     let folder = tempfile::tempdir().unwrap();
-    let rows: String = (0..61).map(|k| 0.1 * f64::from(k)).map(|r| format!("{r}, {}\n", r * r / 10.0)).collect();
+    let rows: String = (0..61).map(|k| 0.5 * f64::from(k)).map(|r| format!("{r}, {}\n", r * r / 10.0)).collect();
     std::fs::write(folder.path().join("sphere.csv"), format!("r (µm), z (µm)\n{rows}")).unwrap();
     let with = |shape: &str| {
         let text = format!("accuracy = 1e-4\n{}{PULLED}", RUBBER.replace("sphere = { radius = \"5 µm\" }", shape));
