@@ -125,7 +125,7 @@ fn a_sphere_by_a_table_or_with_a_far_rim_is_the_sphere() {
     let mut problem = moved(Law::LennardJones, 2.0, 10.0, -12.0);
     problem.instants = vec![5.0, 10.0, 15.0];
     let sphere = solved(&problem, 1e-5);
-    let points: Vec<(f64, f64)> = (0..41).map(|k| f64::from(k)).map(|x| (x, 0.5 * x * x)).collect();
+    let points: Vec<(f64, f64)> = (0..41).map(f64::from).map(|x| (x, 0.5 * x * x)).collect();
     let table = Shape::Table(Arc::new(TabulatedShape::through(&points).unwrap()));
     let others = [
         (Problem { shape: table, ..problem.clone() }, "table"),

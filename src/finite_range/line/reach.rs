@@ -143,7 +143,7 @@ pub(super) fn every(problem: &Problem, largest: usize, cells: f64) -> Vec<Reache
 }
 
 /// The surfaces at a held mean gap that no contact bridges, at the real range.
-pub(super) fn apart(problem: &Problem, largest: usize, cells: f64) -> Option<Reached> {
+pub(super) fn without_contact(problem: &Problem, largest: usize, cells: f64) -> Option<Reached> {
     let mut search = Search::new(problem, largest, cells);
     let lift = search.lifts().first().copied()?;
     let found = search.follow(Path::Range, lift, 0.0)?;

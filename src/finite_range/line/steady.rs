@@ -245,8 +245,8 @@ fn from_no_contact(problem: &Problem, request: &Request) -> Option<SteadyState> 
     let is_partial = |state: &SteadyState| state.numbers.contact_fraction > 0.0 && state.numbers.contact_fraction < 1.0;
     let mut gap = problem.profile.heights().iter().copied().fold(0.0, f64::max) + FAR * problem.attraction.range;
     let cells = cells(problem, request).first().copied().unwrap_or(CELLS[0]);
-    let apart = reach::apart(&held(gap), request.most_nodes / 4, cells)?;
-    let mut state = refine(&held(gap), &rough, apart, ReachedBy::AnotherLoad).ok()?;
+    let parted = reach::without_contact(&held(gap), request.most_nodes / 4, cells)?;
+    let mut state = refine(&held(gap), &rough, parted, ReachedBy::AnotherLoad).ok()?;
     let mut step = AWAY * problem.profile.half_height();
     for _ in 0..GAPS {
         let next_gap = if is_partial(&state) && lacks(&state) < 0.0 { gap + step } else { gap - step };

@@ -15,7 +15,7 @@
 //! | `kernel`, `mesh`, `refine` | the influence of a ring; elements with kept blocks; where they are too long or too short |
 //! | `chain`, `drive`, `step` | creep, control, one implicit step and its errors |
 //! | `newton` | one elastic adhesive contact |
-//! | `start`, `zero_range`, `jump`, `search` | first state, from the contact of zero range; passing a fold; largest tension and zero force |
+//! | `start`, `zero_range`, `jump`, `search` | first state, from the contact of zero range; what comes behind a fold; largest tension and zero force |
 //! | `integration`, `book`, `kept_surface`, `result`, `assess` | the run, its record, its error bounds |
 //! | `cycles` | stiffness, loss and extremes of every cycle of an oscillation, from the record |
 //! | `exponential` | a second integrator, as a check |
