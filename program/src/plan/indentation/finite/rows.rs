@@ -14,7 +14,7 @@ use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::{Condition, IndentationShape};
 use std::f64::consts::PI;
 use viscotack::estimate::Estimate;
-use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Jump, KINKED, LegSummary, Record};
+use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Jump, KINKED, LegSummary, Record, Run};
 use viscotack::refusal::Refusal;
 
 /// The word of the row where a contact ends.
@@ -59,7 +59,7 @@ impl FiniteRangePlan {
         }
         for (index, tight) in runs.tight.losses.iter().enumerate() {
             let loose = runs.loose.losses.get(index).filter(|_| runs.consistent);
-            all.push((["event", DETACHMENT], self.of_found(loose, tight, runs)));
+            all.push((["event", DETACHMENT], self.of_loss(loose, tight, runs)));
         }
         if let Some(values) = self.of_largest_tension(runs, &floors) {
             all.push((["event", LARGEST_TENSION], values));
@@ -259,7 +259,7 @@ impl FiniteRangePlan {
     fn of_event(&self, loose: Option<&Record>, tight: &Record, runs: &Runs) -> Values {
         let whole = runs.tight.rows.last().map_or(0.0, |row| row.time);
         // What only one run has is not known better than the whole.
-        let time = loose.map_or(whole, |loose| (loose.time - tight.time).abs());
+        let time = loose.map_or(whole, |loose| self.between(loose.time, tight.time, 1.0).error);
         let nothing = Record { penetration: 0.0, force: 0.0, contact_radius: 0.0, ..*tight };
         let loose = loose.unwrap_or(&nothing);
         self.basic(
@@ -330,9 +330,41 @@ impl FiniteRangePlan {
         let mut values = self.of_found(Some(&loose.largest_tension), &tight.largest_tension, runs);
         floors.raise(&mut values);
         let force = values.get(at::FORCE).copied().flatten()?;
+        self.soften(&mut values, &tight.largest_tension, &runs.tight, force.error / self.reduced.scales.force);
         let ratio = self.jkr_pull_off().map(|unit| Estimate::new(-force.value, force.error).scaled(1.0 / unit));
         set(&mut values, [(at::PULL_OFF_RATIO, ratio)]);
         Some(values)
+    }
+
+    /// The values where a contact ends.
+    fn of_loss(&self, loose: Option<&Record>, tight: &Record, runs: &Runs) -> Values {
+        let mut values = self.of_found(loose, tight, runs);
+        for place in [at::TIME, at::PENETRATION] {
+            let soft = values.get(place).copied().flatten().map(|event| Estimate::new(event.value, SOFT * event.error));
+            set(&mut values, [(place, soft)]);
+        }
+        values
+    }
+
+    /// Widens the bounds of where the tension is largest to all places at which it is the same within the error of the force: two runs may agree
+    /// about the place of a flat maximum by chance.
+    fn soften(&self, values: &mut Values, peak: &Record, run: &Run, force_error: f64) {
+        let after = run.rows.partition_point(|row| row.time <= peak.time * (1.0 + ROUNDING));
+        let before = run.rows.partition_point(|row| row.time < peak.time * (1.0 - ROUNDING));
+        let beside = [before.checked_sub(1).and_then(|place| run.rows.get(place)), run.rows.get(after)];
+        let units = self.reduced.scales;
+        for row in beside.into_iter().flatten().filter(|row| row.force > peak.force) {
+            // The force rises with the square of the way from its extreme.
+            let part = (force_error / (row.force - peak.force)).sqrt().min(1.0);
+            for (place, way) in [
+                (at::TIME, row.time - peak.time),
+                (at::PENETRATION, (row.penetration - peak.penetration) * units.gap),
+                (at::CONTACT_RADIUS, (row.contact_radius - peak.contact_radius) * units.radius),
+            ] {
+                let known = values.get(place).copied().flatten();
+                set(values, [(place, known.map(|known| Estimate::new(known.value, known.error.max(part * way.abs()))))]);
+            }
+        }
     }
 
     /// The values of the state as a whole, coherent.
@@ -340,13 +372,9 @@ impl FiniteRangePlan {
         let mut values: Values = vec![None; COLUMNS.len()];
         let tension = self.of_largest_tension(runs, floors);
         let pull = |place: usize| tension.as_ref().and_then(|row| row.get(place).copied().flatten());
-        let mut lost = runs.tight.losses.last().map(|tight| self.of_event(runs.loose.losses.last(), tight, runs));
+        let mut lost = runs.tight.losses.last().map(|tight| self.of_loss(runs.loose.losses.last(), tight, runs));
         if let Some(values) = &mut lost {
             floors.raise(values);
-            for place in [at::TIME, at::PENETRATION] {
-                let soft = values.get(place).copied().flatten().map(|event| Estimate::new(event.value, SOFT * event.error));
-                set(values, [(place, soft)]);
-            }
         }
         let loss = |place: usize| lost.as_ref().and_then(|row| row.get(place).copied().flatten());
         let protocol = self.protocol(runs);
@@ -359,6 +387,9 @@ impl FiniteRangePlan {
         let work = |of: fn(&LegSummary) -> f64| {
             self.pulling(runs).map(|(loose, tight)| wider(self.between(of(&loose), of(&tight), units.work), at::EXTERNAL_WORK))
         };
+        // It ends where the tension is largest, which is known as well as its depth.
+        let at_the_end = pull(at::FORCE).zip(pull(at::PENETRATION)).map_or(0.0, |(force, depth)| force.value.abs() * depth.error);
+        let to_pull_off = work(LegSummary::work_to_pull_off).map(|work| Estimate::new(work.value, work.error + at_the_end));
         let largest = |of: fn(&Record) -> f64, unit: f64, place: usize| {
             let [loose, tight] = [&runs.loose, &runs.tight].map(|run| run.rows.iter().map(of).fold(0.0, f64::max));
             // Between two steps it may be larger, by less than what it falls to both sides.
@@ -381,7 +412,7 @@ impl FiniteRangePlan {
             (at::PULL_OFF_RADIUS, pull(at::CONTACT_RADIUS)),
             (at::PULL_OFF_RATIO, pull(at::PULL_OFF_RATIO)),
             (at::WORK_OF_SEPARATION, work(LegSummary::work_of_separation)),
-            (at::WORK_TO_PULL_OFF, work(LegSummary::work_to_pull_off)),
+            (at::WORK_TO_PULL_OFF, to_pull_off),
             (at::DWELL_RADIUS, dwell.and_then(|place| self.radius_between_legs(runs, place))),
             (at::TIME_TO_DETACH, loss(at::TIME).zip(retraction).map(|(lost, begin)| Estimate::new(lost.value - begin, lost.error))),
             (at::DETACHMENT_TIME, loss(at::TIME)),
