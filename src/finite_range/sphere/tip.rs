@@ -37,7 +37,7 @@ impl Shape {
         }
     }
 
-    /// Whether the height has a slope without bound at the apex, or one that jumps there: then the pressure has no bound without attraction.
+    /// Whether the slope has no bound at the apex: then the pressure has none without attraction.
     pub(super) fn is_sharp(&self) -> bool {
         matches!(self, Self::Power { exponent, .. } if *exponent < 1.0)
     }

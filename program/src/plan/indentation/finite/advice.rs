@@ -3,7 +3,7 @@
 use super::super::IndentationPlan;
 use super::FiniteRangePlan;
 use crate::plan::curves::short;
-use crate::scene::typed::{Indentation, IndentationAdhesion, IndentationZone, Scene, SceneAttraction, Units};
+use crate::scene::typed::{Indentation, IndentationAdhesion, IndentationShape, IndentationZone, Scene, SceneAttraction, Units};
 use std::f64::consts::PI;
 use viscotack::finite_range::law::{Attraction, Law};
 
@@ -21,10 +21,14 @@ fn excess(tabor: f64) -> f64 {
     (EXCESS_AT_THREE * (JKR_ABOVE / tabor).powf(FALL)).min(1.0 / 3.0)
 }
 
-/// What Tabor numbers (relaxed, glassy) say about both theories.
-fn called_for([relaxed, glassy]: [f64; 2]) -> String {
+/// What Tabor numbers (relaxed, glassy) say about both theories; a law is measured for the sphere only.
+fn called_for([relaxed, glassy]: [f64; 2], is_sphere: bool) -> String {
     let numbers = format!("Tabor number {} relaxed, {} glassy", short(relaxed), short(glassy));
-    if glassy > JKR_ABOVE {
+    if !is_sphere {
+        format!(
+            "{numbers}, by the radius that scales this tip: what the range changes is known of spheres only; process_zone in place of law shows it"
+        )
+    } else if glassy > JKR_ABOVE {
         let small = short(100.0 * excess(glassy));
         format!("{numbers}: an edge with a process zone is enough; the range raises an elastic pull-off by {small} % at most")
     } else {
@@ -35,6 +39,11 @@ fn called_for([relaxed, glassy]: [f64; 2]) -> String {
 }
 
 impl FiniteRangePlan {
+    /// Whether the tip is a sphere without a rim.
+    pub(super) fn is_sphere(&self) -> bool {
+        matches!(self.indentation.shape, IndentationShape::Sphere { .. }) && self.indentation.rim_radius.is_none()
+    }
+
     /// The relaxed and the glassy Tabor number.
     pub(super) fn tabor_numbers(&self) -> [f64; 2] {
         let relaxed = self.reduced.scales.tabor;
@@ -49,7 +58,7 @@ impl FiniteRangePlan {
 
     /// The theory the scene calls for, and what the other would cost.
     pub(super) fn theories(&self, scene: &Scene) -> Vec<String> {
-        let mut sentences = vec![called_for(self.tabor_numbers())];
+        let mut sentences = vec![called_for(self.tabor_numbers(), self.is_sphere())];
         let zone = self.zone();
         let given = &self.attraction.attraction;
         let adhesion = IndentationAdhesion {
@@ -84,7 +93,7 @@ pub(in crate::plan::indentation) fn beside_an_edge(scene: &Scene, indentation: &
     let attraction = SceneAttraction { attraction: law, word: "lennard_jones", notes: Vec::new() };
     let other = Indentation { adhesion: None, fields: None, ..indentation.clone() };
     let plan = FiniteRangePlan::without_advice(scene, &other, &attraction).ok()?;
-    let numbers = called_for(plan.tabor_numbers());
+    let numbers = called_for(plan.tabor_numbers(), plan.is_sphere());
     let systems = plan.work_of_a_state().linear_solves;
     Some(format!(
         "{numbers}; law = \"lennard_jones\" with this range in place of process_zone would take about {systems} linear systems a state"

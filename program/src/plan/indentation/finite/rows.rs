@@ -11,7 +11,7 @@ use super::columns::{COLUMNS, at, columns, present};
 use super::widened::{EXTREMES, Floors, widened};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::state_watch::StateWatch;
-use crate::scene::typed::{Condition, IndentationShape};
+use crate::scene::typed::Condition;
 use std::f64::consts::PI;
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Jump, KINKED, LegSummary, Record, Run};
@@ -315,7 +315,7 @@ impl FiniteRangePlan {
 
     /// (3/2)πRΔγ, coherent, of a sphere.
     fn jkr_pull_off(&self) -> Option<f64> {
-        matches!(self.indentation.shape, IndentationShape::Sphere { .. }).then(|| 1.5 * PI * self.reduced.scales.force)
+        self.is_sphere().then(|| 1.5 * PI * self.reduced.scales.force)
     }
 
     /// The segment with the largest tension, of both runs.
