@@ -315,7 +315,7 @@ impl FiniteRangePlan {
 
     /// (3/2)πRΔγ, coherent, of a sphere.
     fn jkr_pull_off(&self) -> Option<f64> {
-        self.is_sphere().then(|| 1.5 * PI * self.reduced.scales.force)
+        self.is_sphere().then_some(1.5 * PI * self.reduced.scales.force)
     }
 
     /// The segment with the largest tension, of both runs.
