@@ -4,6 +4,7 @@
 //! themselves are known to rounding; of second order they take half the evaluations and leave five. The value of the quantity is stationary at a fold: an error of the
 //! location enters it squared.
 
+use super::bracket::halved;
 use super::curve::{CurveEquations, CurvePoint, Evaluated, Quantity, tangent_of};
 use super::three_unknowns::ThreeEquations;
 use crate::refusal::Refusal;
@@ -151,16 +152,7 @@ pub(crate) fn part_at<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, index: usize,
     if begin * end >= 0.0 || begin.is_nan() || end.is_nan() {
         return (begin / (begin - end)).clamp(0.0, 1.0);
     }
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if off(middle) * begin > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
+    halved([0.0, 1.0], |part| off(part) * begin > 0.0)[0]
 }
 
 /// The fold of a quantity near a start, to a `tolerance` of the three equations, with the gradients by `differences`.

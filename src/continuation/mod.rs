@@ -1,6 +1,7 @@
-//! Roots and curves: the safeguarded scalar root, two and three equations, curves by arclength and their folds, polylines beside records.
+//! Roots and curves: brackets by halves, the safeguarded scalar root, two and three equations, curves by arclength and their folds, polylines beside records.
 
 pub mod arclength;
+pub mod bracket;
 pub mod curve;
 pub mod fold;
 pub mod polyline;

@@ -8,6 +8,7 @@ use super::motion::Motion;
 use super::path_history::Node;
 use super::solution::EventKind;
 use super::stepping::{EdgeStep, Stepper, TimeStep, Way};
+use crate::continuation::bracket::halved_if;
 use crate::refusal::Refusal;
 
 /// Attempts at one step; each failed one shrinks it or changes what drives it.
@@ -33,8 +34,6 @@ pub(super) const SLOWEST: f64 = 0.2;
 const DEPTH_NOISE: f64 = 1e-12;
 /// Motion over the process zone that is none.
 const AT_REST: f64 = 1e-9;
-/// Halvings of the time at which a rim detaches.
-const RIM_HALVINGS: u32 = 50;
 /// Attempts at the instant at which the edge turns.
 const MOST_TURNINGS: u32 = 24;
 /// Last term of one of t(y) and y(t) over that of the other, below which the one is smoother.
@@ -239,12 +238,10 @@ impl Integrator<'_> {
         if here.residual >= -self.edge_tolerance() {
             return Ok(false);
         }
-        let (mut low, mut high) = (0.0, cap);
-        for _ in 0..RIM_HALVINGS {
-            let middle = 0.5 * (low + high);
-            let trial = self.edge.trial(&self.contact, &self.path_history, (rim, middle), Drive::Time, imposed)?;
-            if trial.residual <= 0.0 { low = middle } else { high = middle }
-        }
+        let [low, _] = halved_if([0.0, cap], |dt| {
+            let trial = self.edge.trial(&self.contact, &self.path_history, (rim, dt), Drive::Time, imposed)?;
+            Ok(trial.residual <= 0.0)
+        })?;
         if low <= (1e-9 * cap).max(4.0 * f64::EPSILON * self.time) {
             return Ok(false);
         }

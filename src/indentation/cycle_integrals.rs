@@ -10,13 +10,12 @@ use super::oscillation::Oscillation;
 use super::panel::RULE;
 use super::solution::PathPoint;
 use super::spread::Spread;
+use crate::continuation::bracket::halved;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 
 /// Points behind a polynomial.
 pub(crate) const POINTS_BEHIND: usize = 6;
-/// Halvings of a place of an extreme.
-const HALVINGS: u32 = 40;
 /// Cycles in a row without drift that are stationary.
 const IN_A_ROW: u32 = 2;
 
@@ -111,15 +110,9 @@ impl Course {
     }
 
     /// Where it turns between two times: its value there.
-    pub(crate) fn turn(&self, [mut low, mut high]: [f64; 2]) -> Option<f64> {
-        let slope = self.at(low).1;
-        (slope * self.at(high).1 < 0.0).then(|| {
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if slope * self.at(middle).1 > 0.0 { low = middle } else { high = middle }
-            }
-            self.at(low).0
-        })
+    pub(crate) fn turn(&self, bracket: [f64; 2]) -> Option<f64> {
+        let [begin, end] = bracket.map(|time| self.at(time).1);
+        (begin * end < 0.0).then(|| self.at(halved(bracket, |time| begin * self.at(time).1 > 0.0)[0]).0)
     }
 }
 

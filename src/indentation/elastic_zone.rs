@@ -6,6 +6,7 @@ use super::panel::Panel;
 use super::profile::Profile;
 use super::zone::Zone;
 use super::zone_work::zone_work;
+use crate::continuation::bracket::halved_if;
 use crate::refusal::{Refusal, require_finite, require_positive};
 use std::f64::consts::PI;
 
@@ -149,7 +150,7 @@ pub fn elastic_contact(
     }
     let balance = |a: f64| Ok::<f64, Refusal>(work(profile, modulus, process_zone, a, penetration)? / work_of_adhesion - 1.0);
     let equilibrium = |a: f64| Ok(trial_of_radius(profile, modulus, work_of_adhesion, process_zone, a)?.penetration);
-    let [mut low, mut high] = match widest_stable(process_zone, rim, penetration, equilibrium)? {
+    let bracket = match widest_stable(process_zone, rim, penetration, equilibrium)? {
         Ok(bracket) => bracket,
         Err(least) => {
             return Err(Refusal::NoSuchState {
@@ -159,19 +160,9 @@ pub fn elastic_contact(
             });
         }
     };
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if balance(middle)? > 0.0 {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    profile.holds(high, process_zone)?;
-    Ok(state(profile, modulus, high, penetration, balance(high)?))
+    let [_, radius] = halved_if(bracket, |a| Ok(balance(a)? <= 0.0))?;
+    profile.holds(radius, process_zone)?;
+    Ok(state(profile, modulus, radius, penetration, balance(radius)?))
 }
 
 /// The equilibrium with a given contact radius (m): C is a quadratic in Δ, and tension picks its root.

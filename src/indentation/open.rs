@@ -5,6 +5,7 @@ use super::integrator::Integrator;
 use super::line::Sweep;
 use super::motion::{Motion, Passage};
 use super::springs::DEGREE;
+use crate::continuation::bracket::halved;
 use crate::refusal::Refusal;
 
 impl Integrator<'_> {
@@ -38,12 +39,7 @@ impl Integrator<'_> {
         if overlap(cap) <= 0.0 {
             return cap;
         }
-        let (mut low, mut high) = (0.0, cap);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if overlap(middle) <= 0.0 { low = middle } else { high = middle }
-        }
-        high
+        halved([0.0, cap], |dt| overlap(dt) <= 0.0)[1]
     }
 
     pub(super) fn open(&mut self, controlled: Controlled, dt: f64, value: f64) -> Result<(), Refusal> {

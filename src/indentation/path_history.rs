@@ -6,6 +6,7 @@
 
 use super::motion::polynomial;
 use super::springs::DEGREE;
+use crate::continuation::bracket::halved;
 use serde::{Deserialize, Serialize};
 
 /// Part of the term before the last one below which the error is not taken: a last term may be small by accident.
@@ -158,18 +159,14 @@ impl PathHistory {
         };
         let before = self.nodes.get(1)?;
         let reversed = (trial.1 - now.place) * (now.place - before.place) < 0.0;
-        let (mut low, mut high) = (-0.02 * span, 1.02 * span);
-        let first = speed(low);
-        let crosses = first * speed(high) < 0.0;
+        let bracket = [-0.02 * span, 1.02 * span];
+        let [first, last] = bracket.map(&speed);
+        let crosses = first * last < 0.0;
         if !crosses {
             // So far beyond the turn that the polynomial tells nothing: nearer.
             return reversed.then_some(0.5 * span);
         }
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if first * speed(middle) > 0.0 { low = middle } else { high = middle }
-        }
-        Some(0.5 * (low + high))
+        Some(halved(bracket, |place| first * speed(place) > 0.0)[0])
     }
 
     /// The value at the place 0 of the polynomial through at most `count` points.

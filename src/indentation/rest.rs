@@ -3,10 +3,9 @@
 use super::edge::{Drive, Imposed};
 use super::integrator::{CLOCK, Integrator};
 use super::stepping::Way;
+use crate::continuation::bracket::halved_if;
 use crate::refusal::Refusal;
 
-/// Halvings of the instant at which an edge at rest leaves.
-const HALVINGS: u32 = 50;
 /// Part of a step within which an edge that leaves has not rested.
 const AT_ONCE: f64 = 1e-9;
 /// Way of an edge about to rest, over the process zone and the tolerance of the path, that is none.
@@ -74,11 +73,7 @@ impl Integrator<'_> {
 
     /// Goes to the instant at which an edge at rest leaves within a step at whose end it pulls as `then`, unless that is now.
     fn leave(&mut self, cap: f64, left: f64, target: f64, then: f64, imposed: &Imposed<'_>) -> Result<bool, Refusal> {
-        let (mut low, mut high) = (0.0, cap);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if self.pull_at_rest(middle, imposed)? * then > 0.0 { high = middle } else { low = middle }
-        }
+        let [low, _] = halved_if([0.0, cap], |dt| Ok(self.pull_at_rest(dt, imposed)? * then <= 0.0))?;
         if low <= (AT_ONCE * cap).max(CLOCK * f64::EPSILON * self.time) {
             return Ok(false);
         }

@@ -9,10 +9,9 @@
 
 use super::motion::Motion;
 use super::springs::{DEGREE, Following, Springs};
+use crate::continuation::bracket::halved;
 use serde::{Deserialize, Serialize};
 
-/// Halvings of the instant at which the chain opens or shuts.
-const HALVINGS: u32 = 52;
 /// Parts of a step at which the chain is looked at.
 const LOOKS: u32 = 2;
 /// Changes within one step; a step follows what is imposed closely enough to hold one or two.
@@ -57,18 +56,10 @@ impl Rim {
             let Some(beyond) = (1..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS)).find(|part| changes(*part)) else {
                 return next.advanced(springs, &rest, 1.0);
             };
-            let (mut low, mut high) = (0.0, beyond);
-            if motion.time > 0.0 {
-                for _ in 0..HALVINGS {
-                    let middle = 0.5 * (low + high);
-                    if changes(middle) { high = middle } else { low = middle }
-                }
-            } else {
-                high = 1.0;
-            }
-            next = next.advanced(springs, &rest, high);
+            let part = if motion.time > 0.0 { halved([0.0, beyond], |part| !changes(part))[1] } else { 1.0 };
+            next = next.advanced(springs, &rest, part);
             next.change(springs);
-            done += (1.0 - done) * high;
+            done += (1.0 - done) * part;
         }
         let rest = Rest::new(motion, done, self.height);
         next.advanced(springs, &rest, 1.0)

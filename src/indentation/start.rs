@@ -8,6 +8,7 @@ use super::panel::Panel;
 use super::problem::{Adhesion, IndentationProblem, Start};
 use super::profile::Profile;
 use super::springs::Springs;
+use crate::continuation::bracket::halved_if;
 use crate::refusal::Refusal;
 
 /// Rounds in which the process zone of a first contact settles with the pull at its edge, and the change of it that is rounding.
@@ -130,7 +131,7 @@ fn at_edge(problem: &IndentationProblem, adhesion: Adhesion, modulus: f64) -> Re
                 _ => state.force,
             };
             let by_radius = |a: f64| trial_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, a);
-            let [mut low, mut high] = match widest_stable(adhesion.process_zone, profile.rim(), value, |a| Ok(imposed(&by_radius(a)?)))? {
+            let bracket = match widest_stable(adhesion.process_zone, profile.rim(), value, |a| Ok(imposed(&by_radius(a)?)))? {
                 Ok(bracket) => bracket,
                 Err(least) => {
                     return Err(Refusal::NoSuchState {
@@ -140,11 +141,8 @@ fn at_edge(problem: &IndentationProblem, adhesion: Adhesion, modulus: f64) -> Re
                     });
                 }
             };
-            for _ in 0..100 {
-                let middle = 0.5 * (low + high);
-                if imposed(&by_radius(middle)?) > value { high = middle } else { low = middle }
-            }
-            let state = by_radius(high)?;
+            let [_, radius] = halved_if(bracket, |a| Ok(imposed(&by_radius(a)?) <= value))?;
+            let state = by_radius(radius)?;
             (state.contact_radius, state.penetration)
         }
     })

@@ -1,5 +1,6 @@
 //! A law of attraction through given points: monotone cubic pieces (Fritsch & Carlson, 1980), so that the curve never overshoots.
 
+use crate::continuation::bracket::halved;
 use crate::refusal::{Refusal, require_positive};
 
 /// A tabulated law in reduced form (gap over range, stress over W/r): points, slopes there, and the work left from each point.
@@ -149,15 +150,6 @@ impl Table {
         let Some(after) = self.stresses.iter().position(|&s| s <= 0.0).filter(|&i| i > 0) else {
             return self.gaps[0];
         };
-        let (mut low, mut high) = (self.gaps[after - 1], self.gaps[after]);
-        for _ in 0..80 {
-            let middle = 0.5 * (low + high);
-            if self.stress(middle) > 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        high
+        halved([self.gaps[after - 1], self.gaps[after]], |gap| self.stress(gap) > 0.0)[1]
     }
 }

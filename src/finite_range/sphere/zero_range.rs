@@ -6,9 +6,8 @@ use std::f64::consts::PI;
 use super::newton::Row;
 use super::problem::Problem;
 use super::tip::Shape;
+use crate::continuation::bracket::halved;
 
-/// Halvings of a bracket.
-const HALVINGS: usize = 80;
 /// The widest radius of a search.
 const WIDEST: f64 = 1e100;
 
@@ -43,15 +42,11 @@ impl<'a> ZeroRange<'a> {
 
     /// The radius, from one up to the rim, at which a rising quantity is zero.
     fn radius(&self, from: f64, rising: impl Fn(f64) -> f64) -> f64 {
-        let (mut low, mut high) = (from, (2.0 * from.max(1.0)).min(self.rim));
+        let mut high = (2.0 * from.max(1.0)).min(self.rim);
         while rising(high) < 0.0 && high < self.rim.min(WIDEST) {
             high = (2.0 * high).min(self.rim);
         }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if rising(middle) < 0.0 { low = middle } else { high = middle }
-        }
-        low
+        halved([from, high], |a| rising(a) < 0.0)[0]
     }
 
     /// The penetration at which the contact has a value of what is imposed.

@@ -11,6 +11,7 @@ use super::linear::Row;
 use super::motions::Wanted;
 use super::path_history::Edge;
 use super::solve::OF_LAST;
+use crate::continuation::bracket::halved;
 use crate::indentation::current_segment::CurrentSegment;
 use crate::indentation::history::Controlled;
 use crate::refusal::Refusal;
@@ -242,15 +243,7 @@ impl Course<'_> {
         for k in 0..=LOOKS {
             let time = if k == LOOKS { whole } else { from + (whole - from) * f64::from(k) / f64::from(LOOKS) };
             if is_so(self, time) {
-                let (mut low, mut high) = (before, time);
-                while high - low > f64::EPSILON * high {
-                    let middle = 0.5 * (low + high);
-                    if middle <= low || middle >= high {
-                        break;
-                    }
-                    if is_so(self, middle) { high = middle } else { low = middle }
-                }
-                return high;
+                return halved([before, time], |time| !is_so(self, time))[1];
             }
             before = time;
         }
@@ -302,12 +295,7 @@ fn one_way(given: &Drive, from: f64, longest: f64) -> f64 {
     let way = rate(1);
     let Some(turned) = (2..=LOOKS).find(|k| rate(*k) * way < 0.0) else { return longest };
     let part = longest / f64::from(LOOKS);
-    let (mut low, mut high) = (part * f64::from(turned - 1), part * f64::from(turned));
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if given.rate(from + middle) * way > 0.0 { low = middle } else { high = middle }
-    }
-    low
+    halved([part * f64::from(turned - 1), part * f64::from(turned)], |time| given.rate(from + time) * way > 0.0)[0]
 }
 
 /// What rounding of something imposed, which may be as large, leaves of Δ: a small contact tells it least.

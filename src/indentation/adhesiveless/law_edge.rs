@@ -5,6 +5,7 @@ use super::edge::Way;
 use super::law::{Law, Met, places};
 use super::linear::Row;
 use super::rising::Rising;
+use crate::continuation::bracket::halved;
 use crate::refusal::Refusal;
 
 impl Law<'_, '_> {
@@ -46,11 +47,6 @@ impl Law<'_, '_> {
         let first = self.line.borders(a, end).chain(knots).min_by(|one, other| (one - a).abs().total_cmp(&(other - a).abs()))?;
         let points: Vec<(f64, f64)> = places().into_iter().zip(met.places.map(|place| place - a)).collect();
         let way = Drive::through(a, 1.0, &points);
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if (way.value(middle) - first) * (end - a) < 0.0 { low = middle } else { high = middle }
-        }
-        Some(high)
+        Some(halved([0.0, 1.0], |part| (way.value(part) - first) * (end - a) < 0.0)[1])
     }
 }

@@ -10,10 +10,8 @@
 //! so that both lengths follow from the material and the speed alone. The error of the friction falls linearly in a₀ (measured against
 //! `finite_range`: `tests/scene/surfaces.rs`, `docs/src/guides/surfaces.md`).
 
+use viscotack::continuation::bracket::halved;
 use viscotack::material::PlaneMaterial;
-
-/// Halvings of the interval of a length, in its logarithm: a rounding unit of a factor β up to 10⁹.
-const HALVINGS: u32 = 64;
 
 /// Both lengths of a law whose relaxed edge has the zone α a₀, at a rate v in the unit of lengths over time: where it opens, and where it closes.
 pub(super) fn grown(material: &PlaneMaterial, rate: f64, [opening, closing]: [f64; 2]) -> [f64; 2] {
@@ -42,12 +40,7 @@ fn mean_decay(length: f64, way: f64) -> f64 {
 
 /// The length that is `relaxed` times its own growth, which falls from `most` to 1 as the length rises: one root.
 fn fixed_point(relaxed: f64, most: f64, growth: impl Fn(f64) -> f64) -> f64 {
-    let (mut low, mut high) = (relaxed.ln(), (relaxed * most).ln());
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if relaxed * growth(middle.exp()) > middle.exp() { low = middle } else { high = middle }
-    }
-    (0.5 * (low + high)).exp()
+    halved([relaxed.ln(), (relaxed * most).ln()], |log| relaxed * growth(log.exp()) > log.exp())[0].exp()
 }
 
 #[cfg(test)]

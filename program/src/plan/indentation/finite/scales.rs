@@ -6,6 +6,7 @@
 use super::super::scale::Scale;
 use crate::scene::typed::{HistoryQuantity, Indentation, IndentationShape, SceneAttraction};
 use std::sync::Arc;
+use viscotack::continuation::bracket::halved;
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::law::Attraction;
 use viscotack::finite_range::sphere::{Creep, Scales, Shape};
@@ -15,9 +16,6 @@ use viscotack::refusal::Refusal;
 
 /// Rounding of the way to the units of the solver and back, relative.
 const CONVERSION: f64 = 8.0 * f64::EPSILON;
-
-/// Halvings of a bracket.
-const HALVINGS: usize = 60;
 
 /// The problem in the units of the solver.
 #[derive(Debug, Clone, PartialEq)]
@@ -100,15 +98,12 @@ fn radius_of_units(shape: &IndentationShape, range: f64) -> Result<f64, Refusal>
         IndentationShape::Table { points, .. } => {
             let shape = TabulatedShape::through(points)?;
             // The parabola that is half a range high where the shape is, or as high as the shape at its end.
-            let (mut low, mut high) = (0.0, shape.reach());
-            if shape.height(high) < 0.5 * range {
-                return Ok(high * high / (2.0 * shape.height(high)));
+            let end = shape.reach();
+            if shape.height(end) < 0.5 * range {
+                return Ok(end * end / (2.0 * shape.height(end)));
             }
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if shape.height(middle) < 0.5 * range { low = middle } else { high = middle }
-            }
-            high * high / range
+            let [_, place] = halved([0.0, end], |place| shape.height(place) < 0.5 * range);
+            place * place / range
         }
     })
 }
