@@ -173,7 +173,7 @@ impl Integration<'_> {
                 && let Some(finer) = self.solver.refined_if(&self.state, &flags)
             {
                 (self.book.refined, remeshed, balanced) = (self.book.refined + 1, remeshed + 1, false);
-                known = Some(trial.stages.carried(&self.state, &finer, self.solver.mesher));
+                known = Some(trial.stages.carried(&self.state, &finer, self.solver.mesher, &self.solver.surface));
                 self.state = finer;
                 continue;
             }

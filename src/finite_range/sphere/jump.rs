@@ -6,7 +6,7 @@
 use super::drive::Drive;
 use super::newton::Row;
 use super::state::State;
-use super::step::Solver;
+use super::step::{FORCE_SCALE, Solver};
 use crate::refusal::Refusal;
 
 /// Steps of pseudo-time after which the search is given up: a front that crosses a flat face takes one for a part of its own width.
@@ -23,8 +23,21 @@ const SOFTEST: f64 = 1e-9;
 const PARTED: f64 = 4.0;
 /// A change of the gap (in h₀) that makes a step a jump.
 pub(super) const JUMPED: f64 = 0.05;
-/// After a third of the step changed less than that, a steady state changes less than so many times it.
+/// A steady state changes in a step less than so many times what it changes in a third of it.
 const STEADY: f64 = 4.0;
+
+/// Lengths of the step over a jump that are tried, each so many times the one before.
+const LENGTHS: usize = 20;
+const LONGER: f64 = 3.0;
+
+/// An implicit Euler step of length h that found an equilibrium, and where it began on the mesh of that.
+struct Landed {
+    h: f64,
+    state: State,
+    old: State,
+    /// The largest change of the gap.
+    change: f64,
+}
 
 /// An implicit Euler step over a jump.
 pub(super) struct Landing {
@@ -41,7 +54,8 @@ impl Solver<'_> {
         let mut state = start.clone();
         state.rate = None;
         let (mut lambda, mut still) = (1.0, 0);
-        let mut plain = true;
+        // Once an equilibrium was found its mesh is only refined: else what is coarsened on the way would be refined for ever.
+        let (mut plain, mut is_found) = (true, false);
         for turn in 0..DESCENT_STEPS {
             let strains = state.strains.clone();
             if plain || still >= 3 {
@@ -52,12 +66,12 @@ impl Solver<'_> {
                     let Some(finer) = finer else {
                         return Some(self.lean(self.strained(state, z)));
                     };
-                    state = finer;
+                    (state, is_found) = (finer, true);
                     continue;
                 }
                 (plain, still) = (false, 0);
             }
-            let old: Vec<f64> = state.u.iter().map(|&u| self.surface.gap(u)).collect();
+            let old = state.u.clone();
             // A penetration that is free has a damper too: the frame and the weight fall no faster than the surfaces part.
             let damper = lambda * row.force * 2.0 / self.coupling;
             let damped = Row { penetration: row.penetration + damper, value: row.value + damper * state.penetration, ..row };
@@ -68,7 +82,7 @@ impl Solver<'_> {
                 }
                 continue;
             };
-            let moved = |&(&u, &old): &(&f64, &f64)| (self.surface.gap(u) - old).abs() / (0.5 * old).max(1.0);
+            let moved = |&(&u, &old): &(&f64, &f64)| (self.surface.gap(u) - self.surface.gap(old)).abs() / (0.5 * old).max(1.0);
             let change = found.u.iter().zip(&old).map(|pair| moved(&pair)).fold(0.0, f64::max);
             (state.u, state.p, state.penetration, state.force) = (found.u, found.p, found.penetration, found.force);
             if row.penetration == 0.0 && row.value < 0.0 && self.parted(&state) {
@@ -84,7 +98,7 @@ impl Solver<'_> {
                     1.0
                 })
             .max(SOFTEST);
-            state = self.followed(state, turn % COARSEN_EVERY == 0);
+            state = self.followed(state, !is_found && turn % COARSEN_EVERY == 0);
         }
         None
     }
@@ -152,35 +166,62 @@ impl Solver<'_> {
         state
     }
 
-    /// An implicit Euler step of length h and then, if it is no jump, of growing length, until the state has jumped.
+    /// An implicit Euler step of length h and then, if it is no jump, of growing length, until the state has jumped. Where no jump comes before the
+    /// error of such a step is too large there was no fold: the longest step that is good enough is returned.
     pub(super) fn jump(&mut self, from: &State, drive: &Drive, mut h: f64, end: f64) -> Option<Landing> {
-        for growth in 0..20 {
+        let mut longest: Option<Landed> = None;
+        for _ in 0..LENGTHS {
             h = h.min(end - from.time);
             let z: Vec<f64> = self.chain.terms.iter().map(|&(_, tau)| self.creep_time(h) / tau).collect();
             let row = drive.row(from.time + h);
-            let Some(landed) = self.settle(from, &z, row) else {
+            let is_last = from.time + h >= end;
+            let Some(state) = self.settle(from, &z, row) else {
                 // Pulled by a force the surfaces have parted; else the step is too close to the fold, where the descent is endlessly slow.
-                if row.penetration == 0.0 && row.value < 0.0 || from.time + h >= end || self.too_fine.is_some() {
+                if row.penetration == 0.0 && row.value < 0.0 || is_last || self.too_fine.is_some() {
                     return None;
                 }
-                h *= 3.0;
+                h *= LONGER;
                 continue;
             };
-            let old = from.on(&landed.mesh, self.mesher, &self.surface);
+            let old = from.on(&state.mesh, self.mesher, &self.surface);
             let change =
-                landed.u.iter().zip(&old.u).fold(0.0_f64, |most, (&u, &old)| most.max((self.surface.gap(u) - self.surface.gap(old)).abs()));
-            if change > JUMPED || from.time + h >= end {
-                let mut landing = self.booked(from, &old, landed, h);
-                landing.jumped = change > if growth == 0 { JUMPED } else { STEADY * JUMPED };
-                return Some(landing);
+                state.u.iter().zip(&old.u).fold(0.0_f64, |most, (&u, &old)| most.max((self.surface.gap(u) - self.surface.gap(old)).abs()));
+            let landed = Landed { h, state, old, change };
+            if let Some(shorter) = longest {
+                if change > JUMPED.max(STEADY * shorter.change) {
+                    return Some(self.booked(from, landed, true));
+                }
+                if !self.is_even(from, &shorter, &landed) {
+                    return Some(self.booked(from, shorter, false));
+                }
+            } else if change > JUMPED {
+                return Some(self.booked(from, landed, true));
             }
-            h *= 3.0;
+            if change > JUMPED || is_last {
+                return Some(self.booked(from, landed, false));
+            }
+            longest = Some(landed);
+            h *= LONGER;
         }
-        None
+        longest.map(|landed| self.booked(from, landed, false))
+    }
+
+    /// Whether a step continues a shorter one from the same state so straight that its error is allowed: what they disagree by is 4/3 of it.
+    fn is_even(&self, from: &State, shorter: &Landed, longer: &Landed) -> bool {
+        let ratio = longer.h / shorter.h;
+        let near = shorter.state.on(&longer.state.mesh, self.mesher, &self.surface);
+        let gap = |state: &State, i: usize| self.surface.gap(state.u[i]);
+        let ahead = |i: usize| gap(&longer.old, i) + ratio * (gap(&near, i) - gap(&longer.old, i));
+        let nodes = 0..longer.state.u.len();
+        let by_gap = nodes.fold(0.0_f64, |most, i| most.max((gap(&longer.state, i) - ahead(i)).abs()));
+        let force = from.force + ratio * (shorter.state.force - from.force);
+        let by_force = (longer.state.force - force).abs() / longer.state.force.abs().max(FORCE_SCALE);
+        by_gap <= self.accuracy.step && by_force <= self.accuracy.force
     }
 
     /// Time, work and energies of a landing.
-    fn booked(&self, from: &State, old: &State, mut landed: State, h: f64) -> Landing {
+    fn booked(&self, from: &State, landed: Landed, jumped: bool) -> Landing {
+        let Landed { h, state: mut landed, old, .. } = landed;
         let work = 0.5 * (landed.force + from.force) * (landed.penetration - from.penetration);
         let mut image = vec![0.0; landed.mesh.nodes()];
         landed.mesh.apply(&landed.p, &mut image);
@@ -192,6 +233,6 @@ impl Solver<'_> {
         landed.work = from.work + work;
         landed.viscous = from.viscous + viscous;
         landed.released = from.released + released;
-        Landing { state: landed, released, jumped: true }
+        Landing { state: landed, released, jumped }
     }
 }

@@ -1,15 +1,16 @@
 //! One elastic adhesive contact: Newton's method on the gap with a kept factorisation and active columns.
 //!
 //! Unknown are u at the nodes and the penetration Δ:
-//!   (1 + λ) g(u) − λ g_old = g₀ − Δ + m A (C p(u) + H),   a Δ + b F = c,
-//! g₀ the undeformed gap, H the creep strains of the stage, λ the pseudo-time of a jump (0 otherwise), and the last equation the control.
+//!   g(u) + λ (w(u) − w(u_old)) = g₀ − Δ + m A (C p(u) + H),   a Δ + b F = c,
+//! g₀ the undeformed gap, H the creep strains of the stage, λ the pseudo-time of a jump (0 otherwise), w the gap or, on a hard wall, what the
+//! pressure would close of it over a unit length, and the last equation the control.
 //! Where the law is flat (far outside) a column of the Jacobian is that of the unit matrix: those nodes are eliminated.
 
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, MatMut};
 
 use super::mesh::Mesh;
-use super::surface::Surface;
+use super::surface::{Local, Surface};
 
 /// A correction must fall by this factor, or the Jacobian is made anew.
 const CONTRACTION: f64 = 0.3;
@@ -21,6 +22,9 @@ const WALL_FACTORISATIONS: usize = 32;
 const FOLLOWED: f64 = 0.15;
 /// Corrections after such replacements that need not fall.
 const PATIENCE: usize = 25;
+/// A node that has changed sides so often is open from then on: collocation may leave the last node of a contact no side, pulled too much when it
+/// touches, and closed by a hair when it does not.
+const MOST_CHANGES: u8 = 3;
 /// Iterations after which the stage is given up.
 const ITERATIONS: usize = 80;
 /// A kept factorisation serves compliances within this ratio.
@@ -47,12 +51,67 @@ pub(super) struct Equation<'a> {
     pub(super) compliance: f64,
     /// H.
     pub(super) history: &'a [f64],
-    /// λ and g_old.
+    /// λ and u_old.
     pub(super) pseudo: Option<(f64, &'a [f64])>,
     pub(super) row: Row,
     pub(super) tolerance: f64,
+    /// By how much a node without a side may lie beyond a hard wall.
+    pub(super) overlap: f64,
     /// A correction below this that does not fall any more is rounding.
     pub(super) rounding: f64,
+}
+
+/// The law at the nodes, with those that are kept open.
+struct Nodes<'a> {
+    surface: &'a Surface,
+    changes: Vec<u8>,
+    touched: Vec<bool>,
+}
+
+impl<'a> Nodes<'a> {
+    fn new(surface: &'a Surface, u: &[f64]) -> Self {
+        let touched = if surface.has_wall() { u.iter().map(|&u| surface.touches(u)).collect() } else { Vec::new() };
+        Self { surface, changes: vec![0; touched.len()], touched }
+    }
+
+    fn is_kept_open(&self, i: usize) -> bool {
+        self.changes.get(i).is_some_and(|changes| *changes >= MOST_CHANGES)
+    }
+
+    /// Counts changes of sides.
+    fn see(&mut self, u: &[f64]) {
+        for ((changes, touched), &u) in self.changes.iter_mut().zip(&mut self.touched).zip(u) {
+            if *changes < MOST_CHANGES && self.surface.touches(u) != *touched {
+                (*changes, *touched) = (*changes + 1, !*touched);
+            }
+        }
+    }
+
+    fn touches(&self, i: usize, u: f64) -> bool {
+        self.surface.touches(u) && !self.is_kept_open(i)
+    }
+
+    fn at(&self, i: usize, u: f64) -> Local {
+        if self.is_kept_open(i) { Local { gap: u, ..self.surface.at(self.surface.gap(u)) } } else { self.surface.at(u) }
+    }
+
+    fn gap(&self, i: usize, u: f64) -> f64 {
+        if self.is_kept_open(i) { u } else { self.surface.gap(u) }
+    }
+
+    fn yielded(&self, i: usize, u: f64, yielding: f64) -> f64 {
+        if self.is_kept_open(i) { u } else { self.surface.yielded(u, yielding) }
+    }
+
+    fn pressure(&self, i: usize, u: f64) -> f64 {
+        self.surface.pressure(if self.is_kept_open(i) { self.surface.gap(u) } else { u })
+    }
+
+    /// How far the nodes that are kept open lie beyond the wall.
+    fn overlap(&self, u: &[f64]) -> f64 {
+        let beyond = |(i, &u): (usize, &f64)| if self.is_kept_open(i) { self.surface.gap(u) - u } else { 0.0 };
+        u.iter().enumerate().map(beyond).fold(0.0, f64::max)
+    }
 }
 
 /// A solved contact.
@@ -77,6 +136,8 @@ struct Factor {
     serial: u64,
     compliance: f64,
     scale: f64,
+    /// What nodes on a hard wall have in the place of `scale`.
+    on_wall: f64,
     active: Vec<usize>,
     passive: Vec<usize>,
     lu: PartialPivLu<f64>,
@@ -120,20 +181,24 @@ impl Newton {
         let Equation { mesh, row, .. } = *equation;
         let n = mesh.nodes();
         let scale = 1.0 + equation.pseudo.map_or(0.0, |(lambda, _)| lambda);
+        let yielding = equation.coupling * equation.compliance;
         let (mut u, mut p, mut q, mut image, mut residual) = (guess.to_vec(), vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);
         if row.force == 0.0 {
             penetration = row.value / row.penetration;
         }
         let (mut previous, mut made, mut followed) = (f64::INFINITY, 0, 0);
+        let mut nodes = Nodes::new(surface, guess);
         let most = if surface.has_wall() { WALL_FACTORISATIONS } else { FACTORISATIONS };
         for _ in 0..ITERATIONS {
             self.iterations += 1;
-            (0..n).for_each(|i| p[i] = surface.pressure(u[i]));
+            nodes.see(&u);
+            (0..n).for_each(|i| p[i] = nodes.pressure(i, u[i]));
             (0..n).for_each(|i| q[i] = equation.compliance * p[i] + equation.history[i]);
             mesh.apply(&q, &mut image);
             for i in 0..n {
-                let pull = equation.pseudo.map_or(0.0, |(lambda, old)| lambda * old[i]);
-                residual[i] = scale * surface.gap(u[i]) - pull - equation.undeformed[i] + penetration - equation.coupling * image[i];
+                let moved = |old: &[f64]| nodes.yielded(i, u[i], yielding) - surface.yielded(old[i], yielding);
+                let damping = equation.pseudo.map_or(0.0, |(lambda, old)| lambda * moved(old));
+                residual[i] = nodes.gap(i, u[i]) + damping - equation.undeformed[i] + penetration - equation.coupling * image[i];
             }
             let outside = surface.outside(penetration);
             let force = mesh.integral(|i| p[i]) + outside.0;
@@ -141,13 +206,13 @@ impl Newton {
             let mut usable = self.kept.as_ref().is_some_and(|kept| kept.serves(equation, scale));
             let mut free = false;
             if usable {
-                let sides = self.kept.as_mut().map_or(Sides::TooFar, |kept| kept.follow(surface, equation, &u));
+                let sides = self.kept.as_mut().map_or(Sides::TooFar, |kept| kept.follow(&nodes, equation, &u));
                 usable = sides != Sides::TooFar;
                 followed += usize::from(sides == Sides::Followed);
                 free = sides == Sides::Followed && followed <= PATIENCE;
             }
             if !usable {
-                self.renew(surface, equation, &u, scale)?;
+                self.renew(&nodes, equation, &u, scale)?;
                 made += 1;
             }
             let mut correction = self.correct(&residual, off, row, outside.1)?;
@@ -159,7 +224,7 @@ impl Newton {
                 if made + followed >= most {
                     return None;
                 }
-                self.renew(surface, equation, &u, scale)?;
+                self.renew(&nodes, equation, &u, scale)?;
                 made += 1;
                 correction = self.correct(&residual, off, row, outside.1)?;
             }
@@ -183,7 +248,10 @@ impl Newton {
             previous = size;
             if converged {
                 self.last_correction = size;
-                (0..n).for_each(|i| p[i] = surface.pressure(u[i]));
+                if nodes.overlap(&u) > equation.overlap {
+                    return None;
+                }
+                (0..n).for_each(|i| p[i] = nodes.pressure(i, u[i]));
                 let force = mesh.integral(|i| p[i]) + surface.outside(penetration).0;
                 let finite = force.is_finite() && penetration.is_finite() && u.iter().all(|u| u.is_finite());
                 return finite.then_some(Contact { u, p, penetration, force });
@@ -193,13 +261,14 @@ impl Newton {
     }
 
     /// Factors the Jacobian at u.
-    fn renew(&mut self, surface: &Surface, equation: &Equation, u: &[f64], scale: f64) -> Option<()> {
+    fn renew(&mut self, nodes: &Nodes, equation: &Equation, u: &[f64], scale: f64) -> Option<()> {
         self.factorisations += 1;
         self.kept = None;
         let mesh = equation.mesh;
         let n = mesh.nodes();
-        let local: Vec<_> = u.iter().map(|&u| surface.at(u)).collect();
+        let local: Vec<_> = u.iter().enumerate().map(|(i, &u)| nodes.at(i, u)).collect();
         let strength = equation.coupling * equation.compliance;
+        let on_wall = (scale - 1.0) * strength;
         let flat = FLAT * scale / (strength * 4.0);
         let (active, passive): (Vec<usize>, Vec<usize>) =
             (0..n).partition(|&i| local[i].gap_slope == 0.0 || local[i].pressure_slope.abs() > flat);
@@ -209,7 +278,7 @@ impl Newton {
         for (k, &j) in active.iter().enumerate() {
             let (factor, influence) = column(j);
             active.iter().enumerate().for_each(|(l, &i)| jacobian[(l, k)] = -factor * influence[i]);
-            jacobian[(k, k)] += scale * local[j].gap_slope;
+            jacobian[(k, k)] += if local[j].gap_slope > 0.0 { scale } else { on_wall };
             border.extend(passive.iter().map(|&i| influence[i]));
         }
         let lu = jacobian.partial_piv_lu();
@@ -218,8 +287,9 @@ impl Newton {
             serial: mesh.serial,
             compliance: strength,
             scale,
+            on_wall,
             strengths: active.iter().map(|&j| column(j).0).collect(),
-            touching: u.iter().map(|&u| surface.touches(u)).collect(),
+            touching: u.iter().enumerate().map(|(i, &u)| nodes.touches(i, u)).collect(),
             active,
             passive,
             lu,
@@ -260,12 +330,11 @@ impl Factor {
     }
 
     /// Replaces the columns of nodes that have changed sides of a hard wall.
-    fn follow(&mut self, surface: &Surface, equation: &Equation, u: &[f64]) -> Sides {
-        if !surface.has_wall() {
+    fn follow(&mut self, law: &Nodes, equation: &Equation, u: &[f64]) -> Sides {
+        if !law.surface.has_wall() {
             return Sides::Same;
         }
-        let touches = |i: usize| surface.touches(u[i]);
-        let nodes: Vec<usize> = (0..u.len()).filter(|&i| touches(i) != self.touching[i]).collect();
+        let nodes: Vec<usize> = (0..u.len()).filter(|&i| law.touches(i, u[i]) != self.touching[i]).collect();
         let known = self.replaced.as_ref().map_or(&[][..], |replaced| &replaced.nodes);
         if nodes == known {
             return Sides::Same;
@@ -286,18 +355,18 @@ impl Factor {
                 strengths.push(earlier.strengths[index]);
                 continue;
             }
-            let local = surface.at(u[node]);
+            let local = law.at(node, u[node]);
             let strength = self.compliance * local.pressure_slope;
             let influence = &equation.mesh.matrix[node * n..(node + 1) * n];
             let mut column: Vec<f64> = self.active.iter().map(|&i| (self.strengths[place] - strength) * influence[i]).collect();
-            column[place] += if self.touching[node] { self.scale } else { -self.scale };
+            column[place] += if self.touching[node] { self.scale - self.on_wall } else { self.on_wall - self.scale };
             let length = column.len();
             self.lu.solve_in_place(MatMut::from_column_major_slice_mut(&mut column, length, 1));
             responses.push(column);
             strengths.push(strength);
         }
         for &node in nodes.iter().chain(earlier.iter().flat_map(|earlier| &earlier.nodes)) {
-            self.force[node] = equation.mesh.area[node] * surface.at(u[node]).pressure_slope;
+            self.force[node] = equation.mesh.area[node] * law.at(node, u[node]).pressure_slope;
         }
         let mut small = Mat::<f64>::identity(count, count);
         for (k, response) in responses.iter().enumerate() {

@@ -6,9 +6,7 @@ use super::chain::Chain;
 use super::kernel::Rule;
 use super::mesh::{Mesh, Mesher};
 use super::surface::Surface;
-
-/// Halvings in the search for the edge of the contact: to the last digits.
-const BISECTIONS: usize = 45;
+use crate::continuation::bracket::halved;
 
 /// Everything a run needs to go on from an instant. Each state keeps its own mesh.
 #[derive(Clone)]
@@ -77,23 +75,43 @@ impl State {
         let mut new = self.clone();
         new.mesh = Arc::clone(mesh);
         new.undeformed = mesh.x.iter().map(|&x| surface.undeformed(x)).collect();
-        new.u.iter_mut().zip(self.undeformed.iter()).for_each(|(u, flat)| *u -= flat);
-        let mut fields: Vec<&mut Vec<f64>> = vec![&mut new.u, &mut new.p];
+        new.u = self.carried(&self.u, &new, mesher, surface);
+        if let Some((rate, _)) = &mut new.rate {
+            let touching: Vec<bool> = self.u.iter().map(|&u| surface.touches(u)).collect();
+            let on_side = |side: bool| rate.iter().zip(&touching).map(|(rate, touch)| if *touch == side { *rate } else { 0.0 }).collect();
+            let [mut open, mut closed]: [Vec<f64>; 2] = [on_side(false), on_side(true)];
+            mesher.carry(&self.mesh, mesh, &mut [&mut open, &mut closed]);
+            let side = |((open, closed), &u): ((f64, f64), &f64)| if surface.touches(u) { closed } else { open };
+            *rate = open.into_iter().zip(closed).zip(&new.u).map(side).collect();
+        }
+        let mut fields: Vec<&mut Vec<f64>> = vec![&mut new.p];
         fields.extend(new.strains.iter_mut());
-        fields.extend(new.rate.iter_mut().map(|rate| &mut rate.0));
         mesher.carry(&self.mesh, mesh, &mut fields);
-        // A polynomial may overshoot below every gap there was, where the law is without bound.
-        let least = self.u.iter().fold(f64::INFINITY, |least, &u| least.min(u));
-        new.u.iter_mut().zip(new.undeformed.iter()).for_each(|(u, flat)| *u = (*u + flat).max(least));
+        if surface.has_wall() {
+            new.p.iter_mut().zip(&new.u).for_each(|(p, &u)| *p = surface.pressure(u));
+        }
         new
     }
 
-    /// Values of the unknown on the mesh of this state, carried to another mesh of the same radius.
-    pub(super) fn carried(&self, unknown: &[f64], to: &Self, mesher: &Mesher) -> Vec<f64> {
-        let mut lifted: Vec<f64> = unknown.iter().zip(self.undeformed.iter()).map(|(u, flat)| u - flat).collect();
-        mesher.carry(&self.mesh, &to.mesh, &mut [&mut lifted]);
-        let least = unknown.iter().fold(f64::INFINITY, |least, &u| least.min(u));
-        lifted.iter().zip(to.undeformed.iter()).map(|(lifted, flat)| (lifted + flat).max(least)).collect()
+    /// Values of the unknown on the mesh of this state, carried to the mesh of another one of the same radius. On a hard wall it is a pressure on one
+    /// side of the edge and a gap on the other, which no polynomial joins: each is carried by itself.
+    pub(super) fn carried(&self, unknown: &[f64], to: &Self, mesher: &Mesher, surface: &Surface) -> Vec<f64> {
+        let mut lifted: Vec<f64> = unknown.iter().zip(self.undeformed.iter()).map(|(&u, flat)| surface.gap(u) - flat).collect();
+        let mut pressed: Vec<f64> = unknown.iter().map(|&u| surface.gap(u) - u).collect();
+        mesher.carry(&self.mesh, &to.mesh, &mut [&mut lifted, &mut pressed]);
+        // A polynomial may overshoot below every gap there was, where the law is without bound.
+        let least = unknown.iter().fold(f64::INFINITY, |least, &u| least.min(surface.gap(u)));
+        let x = &self.mesh.x;
+        let on_wall = |place: f64, pressed: f64| {
+            let after = x.partition_point(|&x| x < place);
+            let sides = [after.saturating_sub(1), after.min(x.len() - 1)].map(|i| surface.touches(unknown[i]));
+            pressed > 0.0 && (sides[0] || sides[1])
+        };
+        let joined = |(((lifted, flat), pressed), &place): (((&f64, &f64), &f64), &f64)| {
+            let gap = (lifted + flat).max(least);
+            if on_wall(place, *pressed) { surface.gap(f64::NEG_INFINITY) - pressed } else { gap }
+        };
+        lifted.iter().zip(to.undeformed.iter()).zip(&pressed).zip(&to.mesh.x).map(joined).collect()
     }
 
     /// The radius where the tension is largest, by a parabola through its neighbours; zero if that is at the centre.
@@ -138,14 +156,10 @@ impl State {
         }
         let lifted: Vec<f64> = self.u.iter().zip(self.undeformed.iter()).map(|(u, flat)| u - flat).collect();
         let open = |x: f64| self.mesh.value_at(rule, &lifted, x).map_or(0.0, |lift| surface.undeformed(x) + lift - gap);
-        let (mut low, mut high) = (if i == 0 { 0.0 } else { x[i - 1] }, x[i]);
+        let inside = if i == 0 { 0.0 } else { x[i - 1] };
         if i == 0 && open(0.0) >= 0.0 {
             return 0.0;
         }
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            if open(middle) > 0.0 { high = middle } else { low = middle }
-        }
-        0.5 * (low + high)
+        halved([inside, x[i]], |x| open(x) <= 0.0)[0]
     }
 }

@@ -14,7 +14,7 @@ use super::surface::Surface;
 use crate::refusal::Refusal;
 
 /// Forces smaller than this (in RΔγ) are no scale for the error of a force.
-const FORCE_SCALE: f64 = 5.0;
+pub(super) const FORCE_SCALE: f64 = 5.0;
 /// The work of a step may be wrong by this many tolerances of the step, times the force over its scale.
 const WORK_SCALE: f64 = 3.0;
 /// Error of a step over that of the pressure at its end foreseen from the stages between: 0.24 for a root at the end, 0.45 for a smooth pressure.
@@ -48,8 +48,8 @@ pub(super) struct Stages {
 
 impl Stages {
     /// The same on the mesh of another state.
-    pub(super) fn carried(mut self, from: &State, to: &State, mesher: &Mesher) -> Self {
-        self.unknowns.iter_mut().for_each(|unknown| *unknown = from.carried(unknown, to, mesher));
+    pub(super) fn carried(mut self, from: &State, to: &State, mesher: &Mesher, surface: &Surface) -> Self {
+        self.unknowns.iter_mut().for_each(|unknown| *unknown = from.carried(unknown, to, mesher, surface));
         self
     }
 }
@@ -107,8 +107,19 @@ impl<'m> Solver<'m> {
         let (mesh, undeformed) = (&*state.mesh, &*state.undeformed);
         let rounding = (ROUNDING * state.penetration.abs().max(DISPLACEMENT)).max(ROUNDING_OF_GAPS * state.mesh.radius().powi(2));
         let tolerance = self.sharpness * self.accuracy.newton * self.accuracy.step;
-        let equation =
-            Equation { mesh, undeformed, coupling: self.coupling, compliance, history: &history, pseudo, row, tolerance, rounding };
+        let overlap = self.accuracy.step;
+        let equation = Equation {
+            mesh,
+            undeformed,
+            coupling: self.coupling,
+            compliance,
+            history: &history,
+            pseudo,
+            row,
+            tolerance,
+            overlap,
+            rounding,
+        };
         let mut contact = self.newton.solve(&self.surface, &equation, guess.0, guess.1)?;
         if row.penetration == 0.0 {
             contact.force = row.value / row.force;

@@ -59,6 +59,14 @@ impl Surface {
         self.wall.map_or(u, |wall| u.max(wall))
     }
 
+    /// The gap or, on a hard wall, what the excess of pressure would close of it over a unit length of a body that yields so much.
+    pub(super) fn yielded(&self, u: f64, yielding: f64) -> f64 {
+        match self.wall {
+            Some(wall) if u < wall => wall + yielding * (u - wall),
+            _ => u,
+        }
+    }
+
     pub(super) fn pressure(&self, u: f64) -> f64 {
         match self.wall {
             Some(wall) if u < wall => self.law.stress(wall) + (wall - u),
