@@ -2,17 +2,42 @@
 
 use super::{Failure, note, print};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::fs::File;
 use std::io::IsTerminal;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
-use viscotack_program::outcome::folder;
+use viscotack_program::outcome::folder::{self, FolderError};
+use viscotack_program::outcome::owned::OwnedFolder;
+use viscotack_program::terminal_text::name;
+use viscotack_verification::studies::pieces::Pieces;
 use viscotack_verification::studies::{CheckResult, Effort, Progress, chosen, files, run};
 
 /// A check failed.
 const FAILED: u8 = 1;
 /// Without a terminal: no longer than this without a line, as long as pieces are done.
 const QUIET: Duration = Duration::from_secs(30);
+/// Finished pieces of long studies.
+const PIECES: &str = "pieces.txt";
+
+/// `DIR.partial` with the finished pieces of long studies.
+struct Kept {
+    folder: OwnedFolder,
+    file: PathBuf,
+    _lock: Option<File>,
+}
+
+impl Kept {
+    fn open(out: &Path) -> Result<Self, Failure> {
+        let mut folder = OwnedFolder::open_or_make(&folder::partial_of(out), "studies", &[PIECES])?;
+        let lock = folder.lock()?;
+        if lock.is_none() {
+            return Err(Failure::Wrong(format!("error: another run of `verify` writes to {}\n", name(folder.path()))));
+        }
+        let file = folder.file(PIECES)?;
+        Ok(Self { folder, file, _lock: lock })
+    }
+}
 
 pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> Result<u8, Failure> {
     let wrong = |message: String| Failure::Wrong(format!("error: {message}\n"));
@@ -21,6 +46,12 @@ pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> R
     // Before the minutes, not after them.
     folder::writable(out, force)?;
     let effort = if full { Effort::Full } else { Effort::Reduced };
+    // Hours are not lost with a run that is killed.
+    let kept = if full { Some(Kept::open(out)?) } else { None };
+    let with_pieces = |progress: Progress| match &kept {
+        Some(kept) => Pieces::open(&kept.file).map(|pieces| progress.with_pieces(pieces)).map_err(FolderError::io(&kept.file)),
+        None => Ok(progress),
+    };
     let report = if std::io::stderr().is_terminal() {
         let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr());
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} parts, {elapsed}") {
@@ -30,21 +61,24 @@ pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> R
             bar.enable_steady_tick(Duration::from_millis(200));
         }
         let watched = bar.clone();
-        let progress = Progress::new(move |done, expected| {
+        let progress = with_pieces(Progress::new(move |done, expected| {
             watched.set_length(expected);
             watched.set_position(done);
-        });
+        }))?;
         let report = run(&studies, effort, &progress);
         bar.finish_and_clear();
         report
     } else {
-        run(&studies, effort, &plain_progress())
+        run(&studies, effort, &with_pieces(plain_progress())?)
     };
     let files = files(&report).map_err(|error| wrong(error.to_string()))?;
     // What was found is not lost with a folder that somebody else has made meanwhile.
     print(&report.table())?;
     folder::write_whole(out, force, "report", &files)?;
-    print(&format!("wrote {}: report.html, summary.json and {} tables\n", viscotack_program::terminal_text::name(out), files.len() - 2))?;
+    if let Some(kept) = kept {
+        kept.folder.remove()?;
+    }
+    print(&format!("wrote {}: report.html, summary.json and {} tables\n", name(out), files.len() - 2))?;
     Ok(if report.count(CheckResult::Failed) > 0 { FAILED } else { 0 })
 }
 

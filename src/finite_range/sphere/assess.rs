@@ -7,11 +7,22 @@ use super::result::{LegSummary, Run};
 use crate::finite_range::law::Attraction;
 use crate::refusal::Refusal;
 
-/// The bound is the change from the looser run to the tighter one, whose values are returned, and at least this part of the tighter one's
-/// tolerance of a step: two runs may agree by chance.
-pub const BY_CHANCE: f64 = 0.5;
-/// Where the law has a kink or a hard wall, runs do not converge by an order: the bound is so many times the change.
-pub const KINKED: f64 = 3.0;
+/// What bounds are made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Margins {
+    /// Times the change from the looser run to the tighter one, whose values are returned.
+    pub of_change: f64,
+    /// And at least this part of the tighter one's tolerance of a step: two runs may agree by chance.
+    pub by_chance: f64,
+}
+
+impl Margins {
+    /// Where the law has a kink or a hard wall runs do not converge by an order, and may share what a front does that is held by the nodes.
+    #[must_use]
+    pub fn of_law(law: &Attraction) -> Self {
+        if law.is_kinked() { Self { of_change: 3.0, by_chance: 1.0 } } else { Self { of_change: 1.0, by_chance: 0.5 } }
+    }
+}
 
 /// Error bounds of a leg, absolute.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,8 +74,8 @@ pub struct Assessed {
 pub fn assessed(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher) -> Result<Assessed, Refusal> {
     let loose = run(problem, accuracy, mesher)?;
     let tight = run(problem, accuracy.tightened(), mesher)?;
-    let factor = if Attraction::new(problem.law.clone(), 1.0, 1.0)?.is_kinked() { KINKED } else { 1.0 };
-    let change = |a: f64, b: f64| factor * (a - b).abs() + BY_CHANCE * tight.certificate.accuracy.step * b.abs();
+    let margins = Margins::of_law(&Attraction::new(problem.law.clone(), 1.0, 1.0)?);
+    let change = |a: f64, b: f64| margins.of_change * (a - b).abs() + margins.by_chance * tight.certificate.accuracy.step * b.abs();
     let legs = loose.legs.iter().zip(&tight.legs).map(|(a, b)| bounds(a, b, change)).collect();
     let instants = problem.instants.iter().filter_map(|&time| {
         let (a, b) = (loose.at(time)?, tight.at(time)?);

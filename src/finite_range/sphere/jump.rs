@@ -35,8 +35,6 @@ struct Landed {
     h: f64,
     state: State,
     old: State,
-    /// The largest change of the gap.
-    change: f64,
 }
 
 /// An implicit Euler step over a jump.
@@ -166,10 +164,12 @@ impl Solver<'_> {
         state
     }
 
-    /// An implicit Euler step of length h and then, if it is no jump, of growing length, until the state has jumped. Where no jump comes before the
-    /// error of such a step is too large there was no fold: the longest step that is good enough is returned.
+    /// An implicit Euler step of length h and then, if it is no jump, of growing length, until the state has jumped. Where it has moved as far without a
+    /// jump there was no fold: the longest step whose error is allowed is returned.
     pub(super) fn jump(&mut self, from: &State, drive: &Drive, mut h: f64, end: f64) -> Option<Landing> {
-        let mut longest: Option<Landed> = None;
+        let (mut straight, mut is_straight): (Option<Landed>, bool) = (None, true);
+        // The change of the gap in the step before.
+        let mut before: Option<f64> = None;
         for _ in 0..LENGTHS {
             h = h.min(end - from.time);
             let z: Vec<f64> = self.chain.terms.iter().map(|&(_, tau)| self.creep_time(h) / tau).collect();
@@ -186,24 +186,21 @@ impl Solver<'_> {
             let old = from.on(&state.mesh, self.mesher, &self.surface);
             let change =
                 state.u.iter().zip(&old.u).fold(0.0_f64, |most, (&u, &old)| most.max((self.surface.gap(u) - self.surface.gap(old)).abs()));
-            let landed = Landed { h, state, old, change };
-            if let Some(shorter) = longest {
-                if change > JUMPED.max(STEADY * shorter.change) {
-                    return Some(self.booked(from, landed, true));
-                }
-                if !self.is_even(from, &shorter, &landed) {
-                    return Some(self.booked(from, shorter, false));
-                }
-            } else if change > JUMPED {
+            let landed = Landed { h, state, old };
+            if change > before.map_or(JUMPED, |before| JUMPED.max(STEADY * before)) {
                 return Some(self.booked(from, landed, true));
             }
-            if change > JUMPED || is_last {
-                return Some(self.booked(from, landed, false));
+            before = Some(change);
+            is_straight = is_straight && straight.as_ref().is_none_or(|shorter| self.is_even(from, shorter, &landed));
+            if is_straight {
+                straight = Some(landed);
             }
-            longest = Some(landed);
+            if change > JUMPED || is_last {
+                break;
+            }
             h *= LONGER;
         }
-        longest.map(|landed| self.booked(from, landed, false))
+        straight.map(|landed| self.booked(from, landed, false))
     }
 
     /// Whether a step continues a shorter one from the same state so straight that its error is allowed: what they disagree by is 4/3 of it.
@@ -216,7 +213,7 @@ impl Solver<'_> {
         let by_gap = nodes.fold(0.0_f64, |most, i| most.max((gap(&longer.state, i) - ahead(i)).abs()));
         let force = from.force + ratio * (shorter.state.force - from.force);
         let by_force = (longer.state.force - force).abs() / longer.state.force.abs().max(FORCE_SCALE);
-        by_gap <= self.accuracy.step && by_force <= self.accuracy.force
+        by_gap.max(by_force) <= self.accuracy.step
     }
 
     /// Time, work and energies of a landing.

@@ -52,7 +52,7 @@ mod surface;
 mod tip;
 mod zero_range;
 
-pub use assess::{Assessed, BY_CHANCE, Bounds, InstantBounds, KINKED, assessed};
+pub use assess::{Assessed, Bounds, InstantBounds, Margins, assessed};
 pub use cycles::cycles;
 pub use exponential::run_by_exponentials;
 pub use integration::{run, run_watched};

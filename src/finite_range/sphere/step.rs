@@ -13,6 +13,8 @@ use super::state::State;
 use super::surface::Surface;
 use crate::refusal::Refusal;
 
+/// What a node without a side on a hard wall may lie beyond it, over the error of the gap in a step.
+const OVERLAP: f64 = 0.1;
 /// Forces smaller than this (in RΔγ) are no scale for the error of a force.
 pub(super) const FORCE_SCALE: f64 = 5.0;
 /// The work of a step may be wrong by this many tolerances of the step, times the force over its scale.
@@ -107,7 +109,7 @@ impl<'m> Solver<'m> {
         let (mesh, undeformed) = (&*state.mesh, &*state.undeformed);
         let rounding = (ROUNDING * state.penetration.abs().max(DISPLACEMENT)).max(ROUNDING_OF_GAPS * state.mesh.radius().powi(2));
         let tolerance = self.sharpness * self.accuracy.newton * self.accuracy.step;
-        let overlap = self.accuracy.step;
+        let overlap = OVERLAP * self.accuracy.step;
         let equation = Equation {
             mesh,
             undeformed,

@@ -22,6 +22,7 @@ pub mod held_contacts;
 pub mod known_states;
 mod manufactured;
 pub mod order;
+pub mod pieces;
 pub mod precision;
 pub mod published_spheres;
 pub mod random_lines;

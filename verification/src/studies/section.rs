@@ -1,5 +1,9 @@
 //! What a study hands over: plain data that the report turns into a page and tables.
 
+use super::pieces::Pieces;
+use rayon::prelude::*;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use std::sync::atomic::{AtomicU64, Ordering};
 pub use viscotack_program::outcome::csv_table::Cell;
 use viscotack_program::outcome::plot::{Curve, Figure, Line, Marker};
@@ -239,13 +243,56 @@ pub struct Progress {
     expected: AtomicU64,
     watcher: Box<Watcher>,
     sections: Box<SectionWatcher>,
+    pieces: Option<Pieces>,
 }
 
 impl Progress {
     /// Calls `watcher(done, expected)` after each change.
     #[must_use]
     pub fn new(watcher: impl Fn(u64, u64) + Send + Sync + 'static) -> Self {
-        Self { done: AtomicU64::new(0), expected: AtomicU64::new(0), watcher: Box::new(watcher), sections: Box::new(|_, _| {}) }
+        Self {
+            done: AtomicU64::new(0),
+            expected: AtomicU64::new(0),
+            watcher: Box::new(watcher),
+            sections: Box::new(|_, _| {}),
+            pieces: None,
+        }
+    }
+
+    /// Keeps the pieces of long studies, and takes those that are known.
+    #[must_use]
+    pub fn with_pieces(mut self, pieces: Pieces) -> Self {
+        self.pieces = Some(pieces);
+        self
+    }
+
+    /// Why pieces could not be kept, if some could not.
+    #[must_use]
+    pub fn not_kept(&self) -> Option<String> {
+        self.pieces.as_ref().and_then(Pieces::failed)
+    }
+
+    /// All pieces of a long study, side by side, each computed unless an earlier run of the same build has kept it.
+    pub(super) fn each<T: Serialize + DeserializeOwned + Send>(
+        &self,
+        study: &str,
+        count: u64,
+        compute: impl Fn(u64) -> T + Sync,
+    ) -> Vec<T> {
+        self.expect(count);
+        let one = |piece: u64| {
+            let known = self.pieces.as_ref().and_then(|pieces| pieces.get(study, piece));
+            let value = known.unwrap_or_else(|| {
+                let value = compute(piece);
+                if let Some(pieces) = &self.pieces {
+                    pieces.put(study, piece, &value);
+                }
+                value
+            });
+            self.advance(1);
+            value
+        };
+        (0..count).into_par_iter().map(one).collect()
     }
 
     /// Also calls `sections(identifier, seconds)` as each section ends, in the order in which they do.

@@ -7,7 +7,6 @@ pub mod problems;
 use super::cells::{count, number, word};
 use super::{Check, Column, Effort, Progress, Section, Table};
 use problems::{Compared, compared};
-use rayon::prelude::*;
 
 /// The seed of the problems that are reported.
 pub const SEED: u64 = 0x42_5f17_e5ca;
@@ -25,15 +24,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
          once, every law, a penetration, a force or a frame. Each is solved by two runs that give bounds, at 1e-4 (1e-3 where the law has a kink or a hard wall) and with every tolerance tightened, and by one that is tightened once more, which the second is compared with. A problem that needs more than {} steps in the first run, or more nodes than are allowed, is left out, and counted.",
         problems::MOST_STEPS
     ));
-    progress.expect(problems);
-    let all: Vec<Compared> = (0..problems)
-        .into_par_iter()
-        .map(|problem| {
-            let compared = compared(SEED, problem);
-            progress.advance(1);
-            compared
-        })
-        .collect();
+    let all: Vec<Compared> = progress.each("finite_spheres", problems, |problem| compared(SEED, problem));
     let values: usize = all.iter().map(|problem| problem.values).sum();
     let outside: usize = all.iter().map(|problem| problem.outside.len()).sum();
     let wrong = all.iter().find_map(|problem| problem.outside.first());

@@ -1,8 +1,9 @@
 //! A random problem, and its runs against each other.
 
 use crate::studies::draw::Draw;
+use serde::{Deserialize, Serialize};
 use viscotack::finite_range::law::{Attraction, Law};
-use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Control, Creep, KINKED, Leg, Mesher, Motion, Problem, Run, Shape, Start, run};
+use viscotack::finite_range::sphere::{Accuracy, Control, Creep, Leg, Margins, Mesher, Motion, Problem, Run, Shape, Start, run};
 use viscotack::refusal::Refusal;
 
 /// Tolerance of the first of both runs that give bounds, for smooth and for kinked laws; the second, and the one that they are compared with, are
@@ -17,7 +18,7 @@ const MORE: [usize; 3] = [1, 4, 12];
 const FLOOR: f64 = 1e-8;
 
 /// What a problem came to.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Compared {
     /// Values that were compared.
     pub values: usize,
@@ -107,7 +108,7 @@ pub fn compared(seed: u64, number: u64) -> Compared {
     };
     let kinked = law.is_kinked();
     let mut accuracy = Accuracy::of_law(TOLERANCES[usize::from(kinked)], &law);
-    let factor = if kinked { KINKED } else { 1.0 };
+    let margins = Margins::of_law(&law);
     let mut mesher = Mesher::new(accuracy.order);
     let mut runs: Vec<Run> = Vec::new();
     for (index, more) in MORE.into_iter().enumerate() {
@@ -148,8 +149,8 @@ pub fn compared(seed: u64, number: u64) -> Compared {
     let all: Vec<[f64; 3]> =
         forces(loose).into_iter().zip(forces(tight)).zip(forces(truth)).filter_map(|((a, b), c)| Some([a?, b?, c?])).collect();
     // As the plan of a scene does: a bound is at least a part of the largest one, and those beside it.
-    let by_chance = BY_CHANCE * tight.certificate.accuracy.step;
-    let change = |index: usize| all.get(index).map_or(0.0, |[a, b, _]| factor * (a - b).abs() + by_chance * b.abs());
+    let by_chance = margins.by_chance * tight.certificate.accuracy.step;
+    let change = |index: usize| all.get(index).map_or(0.0, |[a, b, _]| margins.of_change * (a - b).abs() + by_chance * b.abs());
     let largest = (0..all.len()).map(change).fold(0.0, f64::max);
     for (index, [_, b, c]) in all.iter().enumerate() {
         let beside = change(index).max(change(index + 1)).max(index.checked_sub(1).map_or(0.0, change));

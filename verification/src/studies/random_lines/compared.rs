@@ -1,6 +1,7 @@
 //! A random line, and its state against finer grids and another start.
 
 use super::scene::drawn;
+use serde::{Deserialize, Serialize};
 use std::time::Instant;
 use viscotack::finite_range::line::{Control, Numbers, Problem, ReachedBy, Request, SteadyState, follow, solve};
 
@@ -24,7 +25,7 @@ const NAMES: [&str; 7] =
     ["mean pressure", "mean gap", "friction stress", "contact fraction", "adhesive pressure", "repulsive pressure", "interface energy"];
 
 /// What a scene came to.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Compared {
     /// Numbers that were compared.
     pub values: usize,

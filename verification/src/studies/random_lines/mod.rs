@@ -6,7 +6,6 @@ mod scene;
 use super::cells::{count, number, word};
 use super::{Check, Column, Effort, Progress, Section, Table};
 use compared::{Compared, compared};
-use rayon::prelude::*;
 
 /// The seed of the scenes that are reported.
 pub const SEED: u64 = 0x41_11_2e;
@@ -25,15 +24,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
         "{scenes} random lines: stiffening 2 to 1000, 1, 2 or 6 terms, speeds over six decades, one to five waves, half-spaces, bonded and free layers, four laws of ranges 0.003 to 0.3, held by a pressure, a gap or a frame. Each state \
          is followed to grids eight times finer, where the same state has its truth, and reached again from a neighbouring load. At most {nodes} nodes are allowed: a shorter range is refused at once."
     ));
-    progress.expect(scenes);
-    let all: Vec<Compared> = (0..scenes)
-        .into_par_iter()
-        .map(|scene| {
-            let compared = compared(SEED, scene, nodes);
-            progress.advance(1);
-            compared
-        })
-        .collect();
+    let all: Vec<Compared> = progress.each(&format!("random_lines of {nodes} nodes"), scenes, |scene| compared(SEED, scene, nodes));
     let values: usize = all.iter().map(|scene| scene.values).sum();
     let outside: Vec<&String> = all.iter().flat_map(|scene| &scene.outside).collect();
     section.checks.push(Check::new(

@@ -9,7 +9,7 @@ use super::columns::at;
 use super::widened::EXTREMES;
 use std::f64::consts::{FRAC_PI_4, PI};
 use viscotack::estimate::Estimate;
-use viscotack::finite_range::sphere::{BY_CHANCE, cycles};
+use viscotack::finite_range::sphere::{Margins, cycles};
 use viscotack::indentation::{Cycle, Spread};
 use viscotack::refusal::Refusal;
 
@@ -78,7 +78,7 @@ impl FiniteRangePlan {
         let stiffness = storage.hypot(loss);
         let unit = units.force / units.gap;
         // Slopes and areas of a small swing show what both meshes have in common: two runs agree by chance more often than about a force.
-        let by_chance = BY_CHANCE * self.solver_accuracy;
+        let by_chance = Margins::of_law(&self.reduced.law).by_chance * self.solver_accuracy;
         let of_stiffness = |value: f64| self.reduced.of(value, self.change(stiffness + off, stiffness) + by_chance * stiffness, unit);
         let width = |pair: [f64; 2]| pair[1] - pair[0];
         let turned = tight.work.abs().max(FRAC_PI_4 * width(tight.penetration) * width(tight.force));

@@ -14,7 +14,7 @@ use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::Condition;
 use std::f64::consts::PI;
 use viscotack::estimate::Estimate;
-use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Jump, KINKED, LegSummary, Record, Run};
+use viscotack::finite_range::sphere::{Accuracy, Jump, LegSummary, Margins, Record, Run};
 use viscotack::refusal::Refusal;
 
 /// The word of the row where a contact ends.
@@ -230,8 +230,8 @@ impl FiniteRangePlan {
 
     /// The bound of a tighter value.
     pub(super) fn change(&self, loose: f64, tight: f64) -> f64 {
-        let factor = if self.reduced.law.is_kinked() { KINKED } else { 1.0 };
-        let by_chance = BY_CHANCE * Accuracy::of_law(self.solver_accuracy, &self.reduced.law).tightened().step;
+        let Margins { of_change: factor, by_chance } = Margins::of_law(&self.reduced.law);
+        let by_chance = by_chance * Accuracy::of_law(self.solver_accuracy, &self.reduced.law).tightened().step;
         factor * (loose - tight).abs() + (by_chance + ROUNDING) * tight.abs()
     }
 
