@@ -52,6 +52,13 @@ pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> R
         Some(kept) => Pieces::open(&kept.file).map(|pieces| progress.with_pieces(pieces)).map_err(FolderError::io(&kept.file)),
         None => Ok(progress),
     };
+    let report = |progress: &Progress| {
+        let report = run(&studies, effort, progress);
+        if let Some(why) = progress.not_kept() {
+            note(&format!("warning: what was finished could not be kept for a further run: {why}\n"));
+        }
+        report
+    };
     let report = if std::io::stderr().is_terminal() {
         let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr());
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} parts, {elapsed}") {
@@ -65,11 +72,11 @@ pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> R
             watched.set_length(expected);
             watched.set_position(done);
         }))?;
-        let report = run(&studies, effort, &progress);
+        let report = report(&progress);
         bar.finish_and_clear();
         report
     } else {
-        run(&studies, effort, &with_pieces(plain_progress())?)
+        report(&with_pieces(plain_progress())?)
     };
     let files = files(&report).map_err(|error| wrong(error.to_string()))?;
     // What was found is not lost with a folder that somebody else has made meanwhile.

@@ -4,6 +4,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod hard_walls;
 mod independent;
 mod line;
 mod sphere;

@@ -61,3 +61,49 @@ fn a_report_is_written_whole_and_an_existing_folder_is_kept() {
     assert!(message.contains("not replaced"), "{message}");
     assert!(other.join("thesis.txt").is_file());
 }
+
+/// The pieces that the file of a run holds.
+fn pieces(file: &Path) -> Vec<String> {
+    let text = std::fs::read_to_string(file).unwrap_or_default();
+    let piece = |line: &str| Some(line.split_once(" [")?.1.split_once(",{")?.0.to_owned());
+    text.lines().skip(1).filter_map(piece).collect()
+}
+
+#[test]
+fn a_killed_full_run_goes_on_behind_its_finished_pieces() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("report.partial/pieces.txt");
+    let mut finished = Vec::new();
+    for _ in 0..2 {
+        let mut run = std::process::Command::new(assert_cmd::cargo::cargo_bin("viscotack"))
+            .current_dir(folder.path())
+            .args(["verify", "--full", "--out", "report", "random_lines"])
+            .stdout(std::process::Stdio::null())
+            .stderr(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        for _ in 0..600 {
+            if pieces(&file).len() >= finished.len() + 3 {
+                break;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(100));
+        }
+        run.kill().unwrap();
+        run.wait().unwrap();
+        let now = pieces(&file);
+        assert!(now.len() >= finished.len() + 3, "{now:?} after {finished:?}");
+        assert_eq!(now[..finished.len()], finished);
+        finished = now;
+    }
+    let mut different = finished.clone();
+    different.sort();
+    different.dedup();
+    assert_eq!(different.len(), finished.len(), "a piece was computed twice");
+    // A folder of somebody else's is not used.
+    let other = folder.path().join("other.partial");
+    std::fs::create_dir(&other).unwrap();
+    std::fs::write(other.join("thesis.txt"), "years of work").unwrap();
+    let message = text(&verify(folder.path(), &["random_lines", "--full", "--out", "other"]).code(2).get_output().stderr);
+    assert!(message.contains("other.partial"), "{message}");
+    assert!(other.join("thesis.txt").is_file());
+}
