@@ -143,6 +143,10 @@ enum Command {
         /// All of it, within an hour, instead of the three minutes of the continuous tests
         #[arg(long)]
         full: bool,
+        /// Compute only the pieces whose number is i modulo n, counted from 0, of studies in pieces (finite_spheres, random_lines): many
+        /// evenings share a full run
+        #[arg(long, value_name = "i/n", requires = "full")]
+        shard: Option<Shard>,
         /// Write report.html and its tables to this folder
         #[arg(long, value_name = "DIR", default_value = "viscotack-report")]
         out: PathBuf,
@@ -307,7 +311,7 @@ pub fn main() -> ExitCode {
         Command::Figures { ids, out, scenes, reduced, manifest } => {
             figures::figures(&viscotack_verification::figures::Options { ids, out, reduced }, scenes.as_deref(), manifest.as_deref())
         }
-        Command::Verify { studies, full, out, force } => verify::verify(&studies, full, &out, force),
+        Command::Verify { studies, full, shard, out, force } => verify::verify(&studies, full, shard, &out, force),
         Command::Material { file, sets, accuracy, out, force, json } => {
             let accuracy = accuracy.as_deref();
             material::material(&material::Asked { file: &file, sets: &sets, accuracy, out: out.as_deref(), force, json })

@@ -9,9 +9,10 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use viscotack_program::outcome::folder::{self, FolderError};
 use viscotack_program::outcome::owned::OwnedFolder;
+use viscotack_program::outcome::shard::Shard;
 use viscotack_program::terminal_text::name;
 use viscotack_verification::studies::pieces::Pieces;
-use viscotack_verification::studies::{CheckResult, Effort, Progress, chosen, files, run};
+use viscotack_verification::studies::{CheckResult, Effort, Progress, chosen, files, in_shards, run};
 
 /// A check failed.
 const FAILED: u8 = 1;
@@ -39,18 +40,24 @@ impl Kept {
     }
 }
 
-pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> Result<u8, Failure> {
+pub(super) fn verify(names: &[String], full: bool, shard: Option<Shard>, out: &Path, force: bool) -> Result<u8, Failure> {
     let wrong = |message: String| Failure::Wrong(format!("error: {message}\n"));
     let studies = chosen(names).map_err(|error| wrong(error.to_string()))?;
+    if shard.is_some() {
+        in_shards(&studies).map_err(|error| wrong(error.to_string()))?;
+    }
     viscotack_program::threads::prepare(None);
     // Before the minutes, not after them.
     folder::writable(out, force)?;
     let effort = if full { Effort::Full } else { Effort::Reduced };
     // Hours are not lost with a run that is killed.
     let kept = if full { Some(Kept::open(out)?) } else { None };
-    let with_pieces = |progress: Progress| match &kept {
-        Some(kept) => Pieces::open(&kept.file).map(|pieces| progress.with_pieces(pieces)).map_err(FolderError::io(&kept.file)),
-        None => Ok(progress),
+    let with_pieces = |progress: Progress| {
+        let progress = progress.with_shard(shard.unwrap_or_default());
+        match &kept {
+            Some(kept) => Pieces::open(&kept.file).map(|pieces| progress.with_pieces(pieces)).map_err(FolderError::io(&kept.file)),
+            None => Ok(progress),
+        }
     };
     let report = |progress: &Progress| {
         let report = run(&studies, effort, progress);
@@ -81,12 +88,17 @@ pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> R
     let files = files(&report).map_err(|error| wrong(error.to_string()))?;
     // What was found is not lost with a folder that somebody else has made meanwhile.
     print(&report.table())?;
+    let result = if report.count(CheckResult::Failed) > 0 { FAILED } else { 0 };
+    if let (Some(kept), false) = (&kept, report.shard.is_whole()) {
+        print(&format!("kept its pieces in {}: without --shard the report is made of those of all shards\n", name(kept.folder.path())))?;
+        return Ok(result);
+    }
     folder::write_whole(out, force, "report", &files)?;
     if let Some(kept) = kept {
         kept.folder.remove()?;
     }
     print(&format!("wrote {}: report.html, summary.json and {} tables\n", name(out), files.len() - 2))?;
-    Ok(if report.count(CheckResult::Failed) > 0 { FAILED } else { 0 })
+    Ok(result)
 }
 
 /// Plain lines for a log: one as each section ends, and the parts done where none has for a while.

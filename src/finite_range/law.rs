@@ -56,7 +56,7 @@ pub struct Attraction {
 }
 
 impl Attraction {
-    /// A law with its work of adhesion and range.
+    /// A law with its work of adhesion and range. A hard wall ignores both constants.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] unless both constants are positive and finite and a Dugdale ramp lies between 0 and 1.
@@ -86,7 +86,7 @@ impl Attraction {
         !matches!(self.law, Law::HardWall)
     }
 
-    /// The same law with its gaps and stresses in other units: divided by these two.
+    /// The same law with its gaps and stresses in other units: divided by these two, both positive. The work of adhesion is divided by their product.
     ///
     /// # Errors
     /// As [`Attraction::new`], where the quotients are no positive numbers.
@@ -97,10 +97,10 @@ impl Attraction {
         Self::new(self.law.clone(), self.work_of_adhesion / (gap * stress), self.range / gap)
     }
 
-    /// A law with its work of adhesion and its largest tension; the range follows.
+    /// A law with its work of adhesion and its largest tension (a positive number); the range follows.
     ///
     /// # Errors
-    /// As [`Attraction::new`].
+    /// [`Refusal::OutOfRange`] unless the tension is positive and finite; otherwise as [`Attraction::new`].
     pub fn with_peak_stress(law: Law, work_of_adhesion: f64, peak_stress: f64) -> Result<Self, Refusal> {
         require_positive("peak_stress", peak_stress)?;
         let unit = Self::new(law, work_of_adhesion, 1.0)?;
@@ -108,36 +108,40 @@ impl Attraction {
         Self::new(unit.law, work_of_adhesion, range)
     }
 
-    /// A law through points (gap, stress), stress positive in compression and zero from the last gap on.
+    /// A law through points (gap, stress), stress positive in compression. From the last gap on the stress is zero,
+    /// whatever the last stress says. Between the points: monotone cubics (Fritsch & Carlson, 1980).
     /// The work of adhesion is the integral of the tension; the range is that work over the largest tension.
     /// If the first stress is compressive the repulsion goes on linearly below it, otherwise there is a hard wall at the first gap.
     ///
     /// # Errors
-    /// [`Refusal`] unless there are at least three increasing finite gaps, tension somewhere, and no repulsion beyond the first tension.
+    /// [`Refusal::Undefined`] unless there are at least three increasing finite gaps with as many finite stresses, tension somewhere, and no
+    /// repulsion beyond the first tension; [`Refusal::OutOfRange`] if the work or the largest tension is not positive.
     pub fn from_table(gaps: &[f64], stresses: &[f64]) -> Result<Self, Refusal> {
         let (table, work, range) = Table::reduced(gaps, stresses)?;
         Self::new(Law::Table(table), work, range)
     }
 
-    /// The stress at a gap, positive in compression.
+    /// The stress at a gap (unit W/r), positive in compression. Below a hard wall it has no meaning.
     #[must_use]
     pub fn stress(&self, gap: f64) -> f64 {
         self.work_of_adhesion / self.range * self.law.stress(gap / self.range)
     }
 
-    /// The derivative of [`Attraction::stress`] with respect to the gap: positive where the tension falls as the surfaces part.
+    /// The derivative of [`Attraction::stress`] with respect to the gap: positive where the tension falls as the surfaces part
+    /// (unit W/r²).
     #[must_use]
     pub fn slope(&self, gap: f64) -> f64 {
         self.work_of_adhesion / (self.range * self.range) * self.law.slope(gap / self.range)
     }
 
-    /// The integral of the tension (−stress) from the gap to infinity: the work per area still to be done to part the surfaces.
+    /// The integral of the tension (−stress) from the gap to infinity: the work per area still to be done to part the
+    /// surfaces. It is W at [`Attraction::equilibrium_gap`] and zero at infinity.
     #[must_use]
     pub fn work_left(&self, gap: f64) -> f64 {
         self.work_of_adhesion * self.law.work_left(gap / self.range)
     }
 
-    /// The largest tension, a positive number.
+    /// The largest tension, a positive number (unit W/r); zero for a hard wall alone.
     #[must_use]
     pub fn peak_stress(&self) -> f64 {
         self.work_of_adhesion / self.range * self.law.peak()
@@ -155,7 +159,7 @@ impl Attraction {
             }
     }
 
-    /// The largest rise of the stress with the gap: the stiffness below which surfaces jump.
+    /// The largest rise of the stress with the gap (unit W/r², zero or more): the stiffness per area below which surfaces jump.
     #[must_use]
     pub fn steepest_slope(&self) -> f64 {
         self.work_of_adhesion / (self.range * self.range) * self.law.steepest()

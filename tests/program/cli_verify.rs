@@ -77,7 +77,7 @@ fn a_killed_full_run_goes_on_behind_its_finished_pieces() {
     for _ in 0..2 {
         let mut run = std::process::Command::new(assert_cmd::cargo::cargo_bin("viscotack"))
             .current_dir(folder.path())
-            .args(["verify", "--full", "--out", "report", "random_lines"])
+            .args(["verify", "--full", "--shard", "1/3", "--out", "report", "random_lines"])
             .stdout(std::process::Stdio::null())
             .stderr(std::process::Stdio::null())
             .spawn()
@@ -99,6 +99,10 @@ fn a_killed_full_run_goes_on_behind_its_finished_pieces() {
     different.sort();
     different.dedup();
     assert_eq!(different.len(), finished.len(), "a piece was computed twice");
+    let of_the_shard = |piece: &String| piece.rsplit_once(',').is_some_and(|(_, number)| number.parse::<u64>().unwrap() % 3 == 1);
+    assert!(finished.iter().all(of_the_shard), "{finished:?}");
+    let message = text(&verify(folder.path(), &["convergence_crack", "--full", "--shard", "1/3"]).code(2).get_output().stderr);
+    assert!(message.contains("convergence_crack") && message.contains("random_lines"), "{message}");
     // A folder of somebody else's is not used.
     let other = folder.path().join("other.partial");
     std::fs::create_dir(&other).unwrap();

@@ -49,7 +49,7 @@ fn of(studies: &[Study]) -> Report {
 }
 
 fn made_up() -> Report {
-    of(&[Study { identifier: "made_up", alone: true, compute: section }])
+    of(&[Study { identifier: "made_up", alone: true, in_pieces: false, compute: section }])
 }
 
 fn page(report: &Report) -> String {
@@ -105,9 +105,9 @@ fn every_table_and_plot_has_its_file() {
 #[test]
 fn a_failure_and_a_panic_are_loud() {
     let report = of(&[
-        Study { identifier: "made_up", alone: false, compute: section },
-        Study { identifier: "failing", alone: false, compute: failing },
-        Study { identifier: "panicking", alone: true, compute: panicking },
+        Study { identifier: "made_up", alone: false, in_pieces: false, compute: section },
+        Study { identifier: "failing", alone: false, in_pieces: false, compute: failing },
+        Study { identifier: "panicking", alone: true, in_pieces: false, compute: panicking },
     ]);
     assert_eq!((report.count(CheckResult::Passed), report.count(CheckResult::Stated), report.count(CheckResult::Failed)), (2, 2, 2));
     let page = page(&report);

@@ -45,7 +45,7 @@ pub enum End {
     FullContact,
     /// Nothing touches (laws with a wall: no node in contact) and the gap exceeds the highest point by ten ranges.
     Separated,
-    /// The number of points that was asked for.
+    /// The branch has the number of points that was asked for.
     Points,
     /// The step became too short; the sentence says where.
     Lost(String),
@@ -69,7 +69,7 @@ pub enum FoldKind {
 pub struct RoughFold {
     /// What turns.
     pub kind: FoldKind,
-    /// The nearest point of the branch.
+    /// The numbers at the nearest point of the branch; they carry no error bound.
     pub point: Numbers,
     pub(super) state: State,
     /// Nodes along x of that state.
@@ -98,7 +98,7 @@ pub struct Branch {
 pub struct Refined {
     /// The numbers.
     pub numbers: Numbers,
-    /// From the differences between grids.
+    /// The error bound of each number (same units), from the differences between grids.
     pub errors: Numbers,
     /// Patches of contact.
     pub patches: usize,
@@ -114,15 +114,15 @@ pub struct Refined {
     pub stability: StateStability,
 }
 
-/// Follows the branch of the cold-started state of `problem` on `nodes` nodes along x.
+/// Follows the branch of the cold-started state of `problem` on `nodes` nodes along x, for at most `points` states.
 ///
 /// # Errors
-/// [`Refusal`] for a problem without meaning, or where the start cannot be reached.
+/// As [`Problem::check`]; [`Refusal::NotConverged`] where the start cannot be reached; [`Refusal::OutOfRange`] for no points.
 pub fn trace(problem: &Problem, nodes: usize, direction: Direction, points: usize) -> Result<Branch, Refusal> {
     trace_with(problem, nodes, direction, points, false)
 }
 
-/// The same, each state also on two finer grids.
+/// As [`trace`], with each state also on two grids twice and four times as fine.
 ///
 /// # Errors
 /// As [`trace`].

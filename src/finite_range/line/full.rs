@@ -10,7 +10,7 @@ use crate::refusal::Refusal;
 /// The state in which the gap is the wall's everywhere: p = A h + P, admissible while the wall nowhere pulls more than the law.
 ///
 /// # Errors
-/// [`Refusal::Undefined`] for a law without a wall; [`Refusal::NoSuchState`] where the surface would part, with the least mean
+/// As [`Problem::check`]; [`Refusal::Undefined`] for a law without a wall; [`Refusal::NoSuchState`] where the surface would part, with the least mean
 /// pressure of full contact as the witness, or where a mean gap other than the wall's is imposed.
 pub fn full_contact(problem: &Problem, request: &Request) -> Result<SteadyState, Refusal> {
     problem.check()?;

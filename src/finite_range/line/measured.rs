@@ -25,7 +25,7 @@ pub enum Ends {
     Periodic,
 }
 
-/// Takes the mean or the least-squares plane off `ny` rows of `nx` heights.
+/// Takes the mean or the least-squares plane off rows of `nx` equally spaced heights, in place. The unit of the heights is free.
 pub fn level(nx: usize, heights: &mut [f64], levelling: Levelling) {
     let n = heights.len() as f64;
     let mean = heights.iter().sum::<f64>() / n;
@@ -50,7 +50,7 @@ pub fn level(nx: usize, heights: &mut [f64], levelling: Levelling) {
 /// One period made of `ny` rows of `nx` heights: nodes along x, along y, heights. An odd last row or column is left out.
 ///
 /// # Errors
-/// [`Refusal::Undefined`] for fewer than four heights along x, or two or three rows.
+/// [`Refusal::Undefined`] for fewer than four heights along x, for no, two or three rows, or if the heights do not fill the rows.
 pub fn periodic(nx: usize, ny: usize, heights: &[f64], ends: Ends) -> Result<(usize, usize, Vec<f64>), Refusal> {
     if nx < 4 || ny == 0 || (ny > 1 && ny < 4) || nx * ny != heights.len() {
         let reason = format!("{ny} rows of {nx} heights are too few: at least 4 along x, and 1 or at least 4 rows");

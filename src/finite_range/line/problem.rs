@@ -145,7 +145,7 @@ impl Profile {
         Ok(profile)
     }
 
-    /// The same profile with its heights multiplied by a factor.
+    /// The same profile with its heights multiplied by a factor, finite and not zero.
     ///
     /// # Errors
     /// As [`Profile::surface`].
@@ -160,19 +160,19 @@ impl Profile {
         Self { heights: self.heights.chunks(self.nx).flat_map(row).collect(), ..self.clone() }
     }
 
-    /// Its own nodes along x and y.
+    /// The numbers of its own nodes along x and y.
     #[must_use]
     pub const fn nodes(&self) -> [usize; 2] {
         [self.nx, self.ny]
     }
 
-    /// Its heights at its own nodes, row by row, of zero mean.
+    /// Its heights (Λ) at its own nodes, row by row along x, of zero mean.
     #[must_use]
     pub fn heights(&self) -> &[f64] {
         &self.heights
     }
 
-    /// The amplitude of each wave number 1, 2 … along x: half of the peak-to-valley height of that wave; of a surface the root of the sum
+    /// The amplitude (Λ) of each wave number 1, 2 … along x: half of the peak-to-valley height of that wave; of a surface the root of the sum
     /// of squares over all waves across.
     #[must_use]
     pub fn amplitudes(&self) -> Vec<f64> {
@@ -243,21 +243,21 @@ impl Profile {
 /// What the rig imposes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Control {
-    /// The mean pressure (compression positive).
+    /// The mean pressure (unit E0*kΛ/2, compression positive).
     MeanPressure(f64),
-    /// The mean gap between the profile's mean plane and the mean plane of the deformed body.
+    /// The mean gap between the profile's mean plane and the mean plane of the deformed body (Λ).
     MeanGap(f64),
     /// A frame: mean pressure = stiffness · (mean gap − position); `stiffness` in pressure per Λ.
     Frame {
-        /// Stiffness of the rig, positive.
+        /// Stiffness of the rig per area, positive (pressure unit per Λ).
         stiffness: f64,
-        /// The mean gap at which the rig carries no load.
+        /// The mean gap (Λ) at which the rig carries no load; at a larger gap it presses.
         position: f64,
     },
 }
 
 impl Control {
-    /// The stiffness with which it is held: zero of a pressure, infinite of a gap.
+    /// The stiffness with which it is held (pressure unit per Λ): zero of a pressure, infinite of a gap.
     #[must_use]
     pub const fn stiffness(self) -> f64 {
         match self {
@@ -282,15 +282,15 @@ impl Control {
 pub struct Problem {
     /// The profile; it moves towards +x.
     pub profile: Profile,
-    /// E(ω)/E0.
+    /// E(ω)/E0, with ω in the unit of `speed`.
     pub modulus: Modulus,
-    /// kv ≥ 0.
+    /// kv ≥ 0, the angular frequency of the first harmonic; zero is the relaxed elastic body.
     pub speed: f64,
-    /// The law between the surfaces (range in Λ, stresses in the pressure unit).
+    /// The law between the surfaces (range in Λ, stresses in the pressure unit, work of adhesion in their product).
     pub attraction: Attraction,
     /// A layer instead of a half-space; its thickness is kd.
     pub layer: Option<Layer>,
-    /// What is imposed.
+    /// What is imposed: mean pressure, mean gap or the position of a frame.
     pub control: Control,
 }
 
@@ -304,8 +304,9 @@ impl Problem {
     /// Refuses what has no meaning, before anything is computed.
     ///
     /// # Errors
-    /// [`Refusal`] for a negative or infinite speed, a control that is not finite, a frame without positive stiffness, or a modulus
-    /// that is not finite, not positive, or gains energy at one of the frequencies kv·2^j.
+    /// [`Refusal::OutOfRange`] for a negative or infinite speed, a law that [`Attraction::new`] refuses, a control that is not finite, a frame
+    /// without positive stiffness, or a modulus that is not one at rest, or is not finite, not positive, or gains energy at a frequency kv·2^j,
+    /// j = 0…23; [`Refusal::NoSuchState`] for a hard wall alone that is not pressed.
     pub fn check(&self) -> Result<(), Refusal> {
         require_non_negative("speed", self.speed)?;
         Attraction::new(self.attraction.law.clone(), self.attraction.work_of_adhesion, self.attraction.range)?;

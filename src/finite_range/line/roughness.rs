@@ -20,7 +20,7 @@ const MOST_NODES: usize = 1 << 24;
 /// A self-affine profile in wave numbers of its period along x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roughness {
-    /// H, 0 to 1.
+    /// H, the Hurst exponent, 0 to 1.
     pub hurst: f64,
     /// Root mean square height, positive (the unit of the heights).
     pub rms_height: f64,
@@ -28,11 +28,12 @@ pub struct Roughness {
     pub lowest: f64,
     /// Largest wave number |q|: the period over the shortest wave.
     pub highest: f64,
-    /// Seed of the phases.
+    /// Seed of the phases; equal seeds give equal profiles.
     pub seed: u32,
 }
 
-/// A line, or a square surface, with that roughness.
+/// A line, or a square surface, with that roughness; heights in the unit of `rms_height`. The shortest wave has at least
+/// four nodes.
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`] for an exponent outside 0…1, a height or wave numbers that are not positive, or more than 2²⁴ nodes;

@@ -7,19 +7,20 @@ use rustfft::num_complex::Complex64;
 /// The numbers of a state (units of [`Problem`](super::Problem)).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Numbers {
-    /// Mean pressure, compression positive.
+    /// Mean pressure (E0*kΛ/2), compression positive.
     pub mean_pressure: f64,
-    /// Mean gap.
+    /// Mean gap (Λ).
     pub mean_gap: f64,
-    /// Mean of −p h′: the resistance per area to sliding, positive when it opposes the motion; taken as what the waves of the pressure lose in the body.
+    /// Mean of −p h′ (E0*k²Λ²/2): the resistance per area to sliding, positive when it opposes the motion; computed from what the waves of the
+    /// pressure lose in the body.
     pub friction_stress: f64,
-    /// Part of the area in contact: with the hard wall, or under repulsion where the law has no wall. Edges lie between nodes (lines).
+    /// Part of the area in contact, 0 to 1: with the hard wall, or under repulsion where the law has no wall. Edges lie between nodes (lines).
     pub contact_fraction: f64,
-    /// Mean of the tension (a negative number).
+    /// Tension, averaged over the whole area (E0*kΛ/2): zero or negative.
     pub adhesive_pressure: f64,
-    /// Mean of the contact pressure or repulsion (zero or more).
+    /// Contact pressure or repulsion, averaged over the whole area (E0*kΛ/2): zero or more. The two means add up to the mean pressure.
     pub repulsive_pressure: f64,
-    /// Energy per area of the interface, −∫tension from the gap to infinity (pressure unit × Λ).
+    /// Energy per area of the interface, −∫tension from the gap to infinity (E0*kΛ²/2): zero at wide gaps, negative in contact.
     pub interface_energy: f64,
 }
 
@@ -50,7 +51,7 @@ impl Numbers {
     }
 }
 
-/// How well one grid's state meets its equations.
+/// How well one grid's state meets its equations. The three frictions (E0*k²Λ²/2) are equal but for the discretisation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
     /// Friction from the pressure and the slope of the profile, −⟨p h′⟩.
@@ -59,15 +60,15 @@ pub struct Certificate {
     pub friction_by_surface: f64,
     /// Friction from the loss of each wave of the pressure, Σ n Im K |p|².
     pub friction_by_loss: f64,
-    /// Largest residual of the pressure.
+    /// Largest residual of the pressure (E0*kΛ/2).
     pub residual: f64,
-    /// Least contact pressure with the wall; not below minus the residual.
+    /// Least contact pressure with the wall (E0*kΛ/2); not below minus the residual.
     pub least_contact_pressure: f64,
-    /// Least gap over the wall off contact (zero or more), or the least gap.
+    /// Least gap over the wall off contact (Λ, zero or more); without a wall the least gap; zero where everything is in contact.
     pub least_gap: f64,
     /// Newton steps of the last solve.
     pub newton_steps: usize,
-    /// Products with the matrix in the last solve.
+    /// Products with the stiffness in the last solve.
     pub products: usize,
 }
 
@@ -78,20 +79,20 @@ impl Certificate {
     }
 }
 
-/// The fields of a state, row by row.
+/// The fields of a state, row by row along x: node (i, j) of `nx` × `ny` is entry j·nx + i.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fields {
     /// Nodes along x.
     pub nx: usize,
-    /// Nodes along y.
+    /// Nodes along y; 1 for a line.
     pub ny: usize,
-    /// Pressure between the bodies, compression positive.
+    /// Pressure between the bodies (E0*kΛ/2), compression positive.
     pub pressure: Vec<f64>,
-    /// Gap.
+    /// Gap (Λ).
     pub gap: Vec<f64>,
-    /// Heights of the profile.
+    /// Heights of the profile (Λ), of zero mean, positive towards the body.
     pub profile: Vec<f64>,
-    /// Displacement of the body's surface about its mean.
+    /// Displacement of the body's surface about its mean (Λ), positive into the body.
     pub surface: Vec<f64>,
     /// Nodes in contact (see [`Numbers::contact_fraction`]).
     pub contact: Vec<bool>,

@@ -79,13 +79,13 @@ pub struct StateStability {
 }
 
 impl StateStability {
-    /// Under a held mean pressure.
+    /// Stability under a held mean pressure.
     #[must_use]
     pub fn under_mean_pressure(&self) -> Stability {
         self.in_frame(0.0)
     }
 
-    /// Under a held mean gap.
+    /// Stability under a held mean gap.
     #[must_use]
     pub fn under_mean_gap(&self) -> Stability {
         self.in_frame(f64::INFINITY)
@@ -97,7 +97,7 @@ impl StateStability {
         self.grids.iter().map(|grid| grid.node_products).sum()
     }
 
-    /// In a frame of a stiffness (pressure unit per Λ): zero for a held pressure, infinite for a held gap.
+    /// Stability in a frame of a stiffness ≥ 0 (pressure unit per Λ): zero for a held pressure, infinite for a held gap.
     #[must_use]
     pub fn in_frame(&self, stiffness: f64) -> Stability {
         OnGrid::agreed(&self.grids, stiffness)

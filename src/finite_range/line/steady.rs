@@ -44,12 +44,12 @@ const SMALL_FRICTION: f64 = 1e-3;
 /// How exact a state must be and what it may cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
-    /// Allowed relative error of the friction stress (of a thousandth of pressure × slope where it is smaller than that), and error of
+    /// Positive. Allowed relative error of the friction stress (of a thousandth of pressure × slope where it is smaller than that), and error of
     /// the gap and pressure relative to the profile's height and the stress.
     pub accuracy: f64,
     /// Nodes along x of the first grid that may be the answer; the finer ones follow by doubling.
     pub least_nodes: usize,
-    /// Nodes along x of the finest grid.
+    /// Nodes along x of the finest grid, a power of two between 64 and 2²².
     pub most_nodes: usize,
 }
 
@@ -77,7 +77,7 @@ pub enum ReachedBy {
 pub struct SteadyState {
     /// The numbers on the finest grid.
     pub numbers: Numbers,
-    /// The error of each number (same units).
+    /// The error bound of each number (same units).
     pub errors: Numbers,
     /// Patches of contact.
     pub patches: usize,
@@ -85,9 +85,10 @@ pub struct SteadyState {
     pub patches_error: usize,
     /// The identities and residual.
     pub certificate: Certificate,
-    /// Pressure, gap, surface.
+    /// Pressure, gap, profile, surface and contact on the finest grid.
     pub fields: Fields,
-    /// The errors of the pressure and of the gap at each node: the largest difference from the grid before, of the nodes around it, or what is left of the one before.
+    /// The error bounds of the pressure (E0*kΛ/2) and of the gap (Λ) at each node: the largest difference from the grid before, of the nodes
+    /// around it, or what is left of the one before.
     pub field_errors: [Vec<f64>; 2],
     /// From where it was reached.
     pub reached_by: ReachedBy,
@@ -127,7 +128,8 @@ impl SteadyState {
 /// Reaches the steady state of a problem from nothing and refines it until the accuracy is met.
 ///
 /// # Errors
-/// [`Refusal`] for a problem without meaning ([`Problem::check`]) or one whose cold start is lost; it says where.
+/// As [`Problem::check`]; [`Refusal::OutOfRange`] for an accuracy that is not positive or a number of nodes that is not allowed;
+/// [`Refusal::NotConverged`] where the nodes are too few or the cold start is lost; it says where.
 pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusal> {
     problem.check()?;
     require_positive("accuracy", request.accuracy)?;
@@ -288,7 +290,7 @@ pub fn every(problem: &Problem, request: &Request) -> Result<Vec<SteadyState>, R
     Ok(all)
 }
 
-/// The cells in the zone that are tried. The tail of an exponential law is longer than a₀ tells, so that a quarter of the nodes may do;
+/// The cells in the zone that are tried. The tail of an exponential law is longer than a₀ says, so that a quarter of the nodes may do;
 /// of a law without a wall half of them may see its spring.
 fn cells(problem: &Problem, request: &Request) -> Vec<f64> {
     let fits = |cells: f64| 4 * reach::nodes_for(problem, problem.attraction.range, cells) <= request.most_nodes;

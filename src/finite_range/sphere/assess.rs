@@ -24,12 +24,12 @@ impl Margins {
     }
 }
 
-/// Error bounds of a leg, absolute.
+/// Error bounds of a leg: absolute, in the units of [`Problem`], zero or more.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
-    /// Of the force.
+    /// Of the force at the largest tension (RΔγ).
     pub largest_tension: f64,
-    /// Soft where the maximum is flat.
+    /// Of the time of the largest tension; wide where the maximum is flat.
     pub time_of_largest_tension: f64,
     /// Of [`LegSummary::work_of_separation`].
     pub work_of_separation: f64,
@@ -37,18 +37,18 @@ pub struct Bounds {
     pub work_to_pull_off: f64,
     /// Of the penetration at the last zero of the force, or at the beginning.
     pub penetration_at_zero_force: f64,
-    /// Force and penetration at the end.
+    /// Of the force (RΔγ) and the penetration (h₀) at the end.
     pub end: [f64; 2],
 }
 
-/// Error bounds at an instant that was asked for.
+/// Error bounds at an instant that was asked for, absolute.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InstantBounds {
     /// The instant.
     pub time: f64,
-    /// Of the force.
+    /// Of the force (RΔγ).
     pub force: f64,
-    /// Of the penetration.
+    /// Of the penetration (h₀).
     pub penetration: f64,
 }
 
@@ -67,7 +67,7 @@ pub struct Assessed {
     pub consistent: bool,
 }
 
-/// Runs a problem twice.
+/// Runs a problem twice, the second time with every tolerance tightened ([`Accuracy::tightened`]), and bounds the errors by the change.
 ///
 /// # Errors
 /// [`Refusal`] of either run.

@@ -52,10 +52,11 @@ impl Solver<'_> {
     }
 }
 
-/// Runs a problem with this many equal steps in every piece between instants and ends of legs. It passes no folds.
+/// Runs a problem with this many equal steps in every piece between instants and ends of legs. `pieces` is at least 1. It cannot
+/// continue beyond a fold.
 ///
 /// # Errors
-/// [`Refusal`] as for the first integrator, and where a step has no solution.
+/// As [`run`](super::run); [`Refusal::OutOfRange`] for a leg without duration; [`Refusal::NotConverged`] where a step has no solution.
 pub fn run_by_exponentials(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher, pieces: usize) -> Result<Run, Refusal> {
     let (mut solver, mut state, mut book) = Book::open(problem, accuracy, mesher)?;
     for leg in &problem.history {

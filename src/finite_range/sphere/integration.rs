@@ -6,7 +6,7 @@ use super::mesh::Mesher;
 use super::problem::{Accuracy, Control, Leg, Problem};
 use super::result::{Jump, LANDED, LegSummary, Run};
 use super::state::State;
-use super::step::Solver;
+use super::step::{SHIFTS, Solver};
 use crate::refusal::Refusal;
 
 /// Travel of the first step of a leg, in h₀, and its part of the duration where nothing travels.
@@ -31,12 +31,10 @@ const JUMP_STEP: f64 = 4.0;
 const LOST: f64 = 30.0;
 /// Meshes tried for one step.
 const REMESHES: usize = 60;
-/// Finer edges tried for one step before it is shortened.
-const SHIFTS: usize = 2;
 /// Steps between attempts to coarsen.
 const COARSEN_EVERY: usize = 3;
 
-/// Runs a problem.
+/// Runs a problem by the adaptive implicit method. The order of `mesher` is that of `accuracy`.
 ///
 /// # Errors
 /// [`Refusal`] for a number that is not allowed, a start or a landing that was not found, or an exhausted budget of steps.
@@ -197,12 +195,17 @@ impl Integration<'_> {
         Ok(detached)
     }
 
+    /// The next instant that is asked for, or the end of the leg.
+    fn next_stop(&self, end: f64) -> f64 {
+        let instants: &[f64] = if self.solver.frozen.is_some() { &[] } else { &self.book.instants };
+        let next = instants.partition_point(|&t| t <= self.state.time * (1.0 + LANDED));
+        instants.get(next).copied().filter(|&t| t < end).unwrap_or(end)
+    }
+
     /// The step cut or stretched to the next instant or the end of the leg, and the time to land on.
     fn bounded(&self, h: f64, end: f64) -> (f64, Option<f64>) {
-        let now = self.state.time;
-        let instants: &[f64] = if self.solver.frozen.is_some() { &[] } else { &self.book.instants };
-        let stop = instants.get(instants.partition_point(|&t| t <= now * (1.0 + LANDED))).copied().filter(|&t| t < end).unwrap_or(end);
-        let left = stop - now;
+        let stop = self.next_stop(end);
+        let left = stop - self.state.time;
         if h * 1.001 >= left {
             (left, Some(stop))
         } else if 2.0 * h > left {
@@ -254,7 +257,7 @@ impl Integration<'_> {
     /// Passes a fold; false if there is no equilibrium beyond it.
     fn jump(&mut self, drive: &Drive, h: f64, end: f64, window: &mut Window) -> Result<bool, Refusal> {
         let before = self.state.clone();
-        let landing = self.solver.jump(&before, drive, h.max(1e-12 * before.time), end);
+        let landing = self.solver.jump(&before, drive, h.max(1e-12 * before.time), self.next_stop(end), end);
         self.solver.fine_enough(before.time)?;
         let Some(landing) = landing else {
             if drive.control == Control::Force && drive.row(before.time).value < 0.0 {
@@ -263,26 +266,28 @@ impl Integration<'_> {
             let detail = format!("no equilibrium was found beyond the fold at penetration {}, force {}", before.penetration, before.force);
             return Err(Refusal::NotConverged { what: "the landing of a jump", detail });
         };
+        if !landing.jumped {
+            self.accepted(landing.state, drive, window)?;
+            return Ok(true);
+        }
         self.state = landing.state;
         let row = self.book.record(&self.solver, &self.state);
         self.book.rows.push(row);
         self.book.keep_surface(&self.solver, &self.state);
-        if landing.jumped {
-            let from = self.book.record(&self.solver, &before);
-            if from.contact_radius > 0.0 && row.contact_radius == 0.0 {
-                self.book.losses.push(row);
-            }
-            self.book.jumps.push(Jump {
-                time: row.time,
-                radius_before: from.contact_radius,
-                penetration: before.penetration,
-                force_before: before.force,
-                force_after: row.force,
-                penetration_after: row.penetration,
-                radius_after: row.contact_radius,
-                released: landing.released,
-            });
+        let from = self.book.record(&self.solver, &before);
+        if from.contact_radius > 0.0 && row.contact_radius == 0.0 {
+            self.book.losses.push(row);
         }
+        self.book.jumps.push(Jump {
+            time: row.time,
+            radius_before: from.contact_radius,
+            penetration: before.penetration,
+            force_before: before.force,
+            force_after: row.force,
+            penetration_after: row.penetration,
+            radius_after: row.contact_radius,
+            released: landing.released,
+        });
         if before.force > 0.0 && row.force <= 0.0 {
             window.zero = Some(self.state.clone());
         }

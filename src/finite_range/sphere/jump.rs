@@ -1,4 +1,4 @@
-//! Equilibria that Newton's method does not reach: starts, and jumps past a fold.
+//! Equilibria that Newton's method does not reach: starts, and jumps over a fold.
 //!
 //! The state slides down its instantaneous energy in the metric A⁻¹, by implicit steps of pseudo-time 1/λ, the mesh following the edge;
 //! physically one more uniform Kelvin–Voigt element of vanishing time. The landing does not depend on how λ is chosen.
@@ -6,7 +6,7 @@
 use super::drive::Drive;
 use super::newton::Row;
 use super::state::State;
-use super::step::{FORCE_SCALE, Solver};
+use super::step::{FORCE_SCALE, SHIFTS, Solver};
 use crate::refusal::Refusal;
 
 /// Steps of pseudo-time after which the search is given up: a front that crosses a flat face takes one for a part of its own width.
@@ -19,12 +19,17 @@ const NODES_OF_A_DESCENT: usize = 4;
 const STIFFEST: f64 = 1e7;
 /// The least λ.
 const SOFTEST: f64 = 1e-9;
-/// The surfaces count as parted for good when the smallest gap is this far past the largest tension.
+/// The surfaces count as parted for good when the smallest gap is this far beyond the largest tension.
 const PARTED: f64 = 4.0;
 /// A change of the gap (in h₀) that makes a step a jump.
 pub(super) const JUMPED: f64 = 0.05;
 /// A steady state changes in a step less than so many times what it changes in a third of it.
 const STEADY: f64 = 4.0;
+
+/// The forces of one equilibrium on two meshes differ by less than so many tolerances of a step.
+const SAME: f64 = 2.0;
+/// Steps of pseudo-time after which one on a finer mesh is given up.
+const PATIENT: usize = 40;
 
 /// Lengths of the step over a jump that are tried, each so many times the one before.
 const LENGTHS: usize = 20;
@@ -33,8 +38,17 @@ const LONGER: f64 = 3.0;
 /// An implicit Euler step of length h that found an equilibrium, and where it began on the mesh of that.
 struct Landed {
     h: f64,
+    time: f64,
     state: State,
     old: State,
+}
+
+/// An equilibrium whose mesh should be finer.
+struct Equilibrium {
+    state: State,
+    turn: usize,
+    /// Whether the mesh before has it as well.
+    is_known: bool,
 }
 
 /// An implicit Euler step over a jump.
@@ -53,8 +67,12 @@ impl Solver<'_> {
         state.rate = None;
         let (mut lambda, mut still) = (1.0, 0);
         // Once an equilibrium was found its mesh is only refined: else what is coarsened on the way would be refined for ever.
-        let (mut plain, mut is_found) = (true, false);
+        let (mut plain, mut last, mut shifted): (bool, Option<Equilibrium>, usize) = (true, None, 0);
         for turn in 0..DESCENT_STEPS {
+            // An equilibrium that two meshes have exists, though on a finer one the nodes at the edge of a wall find none: the steps from it refine it.
+            if let Some(known) = last.take_if(|known| known.is_known && self.surface.has_wall() && turn > known.turn + PATIENT) {
+                return Some(self.strained(known.state, z));
+            }
             let strains = state.strains.clone();
             if plain || still >= 3 {
                 if let Some(found) = self.contact(&state, &strains, z, row, None, (&state.u, state.penetration)) {
@@ -64,7 +82,18 @@ impl Solver<'_> {
                     let Some(finer) = finer else {
                         return Some(self.lean(self.strained(state, z)));
                     };
-                    (state, is_found) = (finer, true);
+                    let allowed = SAME * self.accuracy.step * state.force.abs().max(FORCE_SCALE);
+                    let is_known = last.as_ref().is_some_and(|before| (before.state.force - state.force).abs() <= allowed);
+                    (last, shifted) = (Some(Equilibrium { state, turn, is_known }), 0);
+                    state = finer;
+                    continue;
+                }
+                // Beside an equilibrium it is the nodes at the edge of a wall that find none: other ones may.
+                if last.is_some()
+                    && shifted < SHIFTS
+                    && let Some(finer) = self.refined_at_edge(&state)
+                {
+                    (state, shifted) = (finer, shifted + 1);
                     continue;
                 }
                 (plain, still) = (false, 0);
@@ -96,7 +125,7 @@ impl Solver<'_> {
                     1.0
                 })
             .max(SOFTEST);
-            state = self.followed(state, !is_found && turn % COARSEN_EVERY == 0);
+            state = self.followed(state, last.is_none() && turn % COARSEN_EVERY == 0);
         }
         None
     }
@@ -165,17 +194,25 @@ impl Solver<'_> {
     }
 
     /// An implicit Euler step of length h and then, if it is no jump, of growing length, until the state has jumped. Where it has moved as far without a
-    /// jump there was no fold: the longest step whose error is allowed is returned.
-    pub(super) fn jump(&mut self, from: &State, drive: &Drive, mut h: f64, end: f64) -> Option<Landing> {
+    /// jump there was no fold: the longest step whose error is allowed is returned, which goes no further than the next instant that is asked for.
+    pub(super) fn jump(&mut self, from: &State, drive: &Drive, mut h: f64, instant: f64, end: f64) -> Option<Landing> {
         let (mut straight, mut is_straight): (Option<Landed>, bool) = (None, true);
         // The change of the gap in the step before.
         let mut before: Option<f64> = None;
         for _ in 0..LENGTHS {
-            h = h.min(end - from.time);
+            let last = if straight.is_some() { instant } else { end };
+            let is_last = h >= last - from.time;
+            let time = if is_last { last } else { from.time + h };
+            h = h.min(last - from.time);
             let z: Vec<f64> = self.chain.terms.iter().map(|&(_, tau)| self.creep_time(h) / tau).collect();
-            let row = drive.row(from.time + h);
-            let is_last = from.time + h >= end;
-            let Some(state) = self.settle(from, &z, row) else {
+            let (row, too_fine) = (drive.row(time), self.too_fine);
+            let state = self.settle(from, &z, row);
+            if straight.is_some() && (state.is_none() || self.too_fine != too_fine) {
+                // The shorter step is good as it is.
+                self.too_fine = too_fine;
+                break;
+            }
+            let Some(state) = state else {
                 // Pulled by a force the surfaces have parted; else the step is too close to the fold, where the descent is endlessly slow.
                 if row.penetration == 0.0 && row.value < 0.0 || is_last || self.too_fine.is_some() {
                     return None;
@@ -186,7 +223,7 @@ impl Solver<'_> {
             let old = from.on(&state.mesh, self.mesher, &self.surface);
             let change =
                 state.u.iter().zip(&old.u).fold(0.0_f64, |most, (&u, &old)| most.max((self.surface.gap(u) - self.surface.gap(old)).abs()));
-            let landed = Landed { h, state, old };
+            let landed = Landed { h, time, state, old };
             if change > before.map_or(JUMPED, |before| JUMPED.max(STEADY * before)) {
                 return Some(self.booked(from, landed, true));
             }
@@ -195,7 +232,7 @@ impl Solver<'_> {
             if is_straight {
                 straight = Some(landed);
             }
-            if change > JUMPED || is_last {
+            if change > JUMPED || is_last || !is_straight && time >= instant {
                 break;
             }
             h *= LONGER;
@@ -218,7 +255,7 @@ impl Solver<'_> {
 
     /// Time, work and energies of a landing.
     fn booked(&self, from: &State, landed: Landed, jumped: bool) -> Landing {
-        let Landed { h, state: mut landed, old, .. } = landed;
+        let Landed { time, state: mut landed, old, .. } = landed;
         let work = 0.5 * (landed.force + from.force) * (landed.penetration - from.penetration);
         let mut image = vec![0.0; landed.mesh.nodes()];
         landed.mesh.apply(&landed.p, &mut image);
@@ -226,10 +263,43 @@ impl Solver<'_> {
         let viscous = self.coupling * landed.mesh.integral(|i| crept(i) * image[i]);
         let energy = |state: &State| state.instantaneous(&self.surface, &self.chain, self.coupling);
         let released = work - viscous - (energy(&landed) - energy(from));
-        landed.time = from.time + h;
+        landed.time = time;
         landed.work = from.work + work;
         landed.viscous = from.viscous + viscous;
-        landed.released = from.released + released;
+        // What a step loses that is no jump is its error, which the balance of energy is to show.
+        landed.released = from.released + if jumped { released } else { 0.0 };
         Landing { state: landed, released, jumped }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::super::book::Book;
+    use super::super::integration::run;
+    use super::super::mesh::Mesher;
+    use super::super::problem::{Accuracy, Control, Creep, Leg, Motion, Problem, Start};
+    use super::*;
+    use crate::finite_range::law::{Attraction, Law};
+
+    #[test]
+    fn where_there_is_no_fold_a_step_is_returned_and_no_jump() {
+        for law in [Law::LennardJones, Law::Exponential, Law::Dugdale { ramp: 0.2 }] {
+            let accuracy = Accuracy::of_law(1e-3, &Attraction::new(law.clone(), 1.0, 1.0).unwrap());
+            let mut mesher = Mesher::new(accuracy.order);
+            let creep = Creep { stiffening: 10.0, fractions: vec![0.4, 0.6], times: vec![1.0, 0.2] };
+            let pulled = Leg { control: Control::Penetration, motion: Motion::Ramp { to: -1.0, duration: 5.0 } };
+            let mut problem = Problem::new(law.clone(), 0.8, creep, Start::Relaxed(3.0), vec![pulled]);
+            let (mut solver, state, _) = Book::open(&problem, accuracy, &mut mesher).unwrap();
+            let drive = Drive::new(pulled, &state);
+            let landing = solver.jump(&state, &drive, 1e-9, 5.0, 5.0).unwrap();
+            assert!(!landing.jumped, "{law:?}");
+            let time = landing.state.time;
+            assert!(time > 1e-4, "{law:?}: a step of {time}, though longer ones are as straight");
+            problem.instants = vec![time];
+            let exact = run(&problem, accuracy.tightened(), &mut mesher).unwrap().at(time).unwrap().force;
+            let off = (landing.state.force - exact).abs() / exact.abs().max(FORCE_SCALE);
+            assert!(off < 2.0 * accuracy.step, "{law:?}: {} instead of {exact}, {off:e}", landing.state.force);
+        }
     }
 }

@@ -10,13 +10,13 @@ use super::surface;
 /// A surface that was kept. Lengths and pressures as in [`super::problem::Problem`].
 #[derive(Clone)]
 pub struct Surface {
-    /// When it was.
+    /// The time at which it was kept, in the unit of the retardation times.
     pub time: f64,
     /// Its place in [`super::result::Run::rows`].
     pub row: usize,
-    /// Positive into the body.
+    /// Penetration (h₀), positive into the body.
     pub penetration: f64,
-    /// Positive in compression.
+    /// Force (RΔγ), positive in compression.
     pub force: f64,
     mesh: Arc<Mesh>,
     rule: Rule,
@@ -29,11 +29,11 @@ pub struct Surface {
 /// What holds at a radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
-    /// The distance between both surfaces.
+    /// The distance between both surfaces (h₀).
     pub gap: f64,
-    /// Positive in compression.
+    /// Pressure (Δγ/h₀), positive in compression.
     pub pressure: f64,
-    /// Of the body's surface, positive into the body.
+    /// Displacement of the body's surface (h₀), positive into the body.
     pub displacement: f64,
 }
 
@@ -52,7 +52,7 @@ impl Surface {
         }
     }
 
-    /// What holds at a radius ≥ 0; beyond the mesh the body is not deformed.
+    /// What holds at a radius ≥ 0 (√(R h₀)); beyond the mesh the body is not deformed.
     #[must_use]
     pub fn at(&self, radius: f64) -> Place {
         let flat = self.law.undeformed(radius);

@@ -251,6 +251,7 @@ impl Newton {
                 if nodes.overlap(&u) > equation.overlap {
                     return None;
                 }
+                (0..n).filter(|&i| nodes.is_kept_open(i)).for_each(|i| u[i] = surface.opened(u[i]));
                 (0..n).for_each(|i| p[i] = nodes.pressure(i, u[i]));
                 let force = mesh.integral(|i| p[i]) + surface.outside(penetration).0;
                 let finite = force.is_finite() && penetration.is_finite() && u.iter().all(|u| u.is_finite());

@@ -21,11 +21,11 @@ pub(super) const ON_TIME: f64 = 1e-9;
 /// The viscoelastic half-space, relative to its relaxed modulus: creep compliance 1/β + Σ f_j (1 − 1/β)(1 − e^{−t/τ_j}).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Creep {
-    /// β = E∞/E₀ ≥ 1.
+    /// β = E∞/E₀ ≥ 1, glassy over relaxed modulus; 1 for an elastic body.
     pub stiffening: f64,
     /// f_j > 0, of sum one; empty for an elastic body.
     pub fractions: Vec<f64>,
-    /// τ_j > 0, retardation times.
+    /// τ_j > 0, retardation times, as many as fractions; their unit is the unit of every time of the problem.
     pub times: Vec<f64>,
 }
 
@@ -50,11 +50,11 @@ pub enum Start {
 /// What a leg of the history imposes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Control {
-    /// The penetration.
+    /// The penetration (h₀), positive into the body.
     Penetration,
-    /// The force.
+    /// The force (RΔγ), positive in compression.
     Force,
-    /// The travel of a frame of this stiffness (in RΔγ/h₀, > 0): penetration + force/stiffness.
+    /// The travel of a frame of this stiffness (in RΔγ/h₀, > 0): penetration + force/stiffness (h₀).
     Frame(f64),
 }
 
@@ -76,7 +76,8 @@ impl Control {
     }
 }
 
-/// How the imposed quantity moves during a leg.
+/// How the imposed quantity moves during a leg. Values and amplitudes have the unit of that quantity; durations and periods have the
+/// unit of the retardation times.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Motion {
     /// At constant rate to a value within a duration; zero is a step at once, during which nothing creeps.
@@ -99,7 +100,7 @@ pub enum Motion {
     Hold(f64),
     /// Sine about its present value.
     Oscillation {
-        /// Its amplitude.
+        /// Its amplitude, finite; a negative one begins downwards.
         amplitude: f64,
         /// The period, > 0.
         period: f64,
@@ -109,7 +110,7 @@ pub enum Motion {
 }
 
 impl Motion {
-    /// How long it takes.
+    /// How long it takes, in the unit of the retardation times.
     #[must_use]
     pub fn duration(self) -> f64 {
         match self {
@@ -172,7 +173,7 @@ impl Motion {
 /// One piece of the history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// What is imposed.
+    /// Which quantity is imposed.
     pub control: Control,
     /// How it moves.
     pub motion: Motion,
@@ -187,7 +188,7 @@ pub struct Problem {
     pub tabor: f64,
     /// The face of the undeformed tip.
     pub shape: Shape,
-    /// The radius at which it ends with a sharp corner; beyond it nothing attracts.
+    /// The radius (√(R h₀)) at which it ends with a sharp corner; beyond it nothing attracts.
     pub rim: Option<f64>,
     /// The body.
     pub creep: Creep,
@@ -208,13 +209,14 @@ impl Problem {
         Self { law, tabor, shape: Shape::Paraboloid, rim: None, creep, start, history, instants: Vec::new(), surfaces: Vec::new() }
     }
 
-    /// The glassy Tabor number.
+    /// The glassy Tabor number, tabor/β^{2/3}.
     #[must_use]
     pub fn glassy_tabor(&self) -> f64 {
         self.tabor * self.creep.stiffening.powf(-2.0 / 3.0)
     }
 
-    /// The attraction (in RΔγ, positive) of what lies beyond a radius at a penetration, both bodies undeformed there: more than there is.
+    /// The attraction (in RΔγ, positive) of what lies beyond a radius at a penetration, both bodies undeformed there:
+    /// an upper bound of the true attraction.
     ///
     /// # Errors
     /// [`Refusal`] for a law that is not allowed.
@@ -224,7 +226,7 @@ impl Problem {
         Ok(-surface.outside(penetration).0)
     }
 
-    /// Checks every number.
+    /// Checks every number of the problem, before anything is computed.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] with the first that is not allowed.
@@ -292,7 +294,7 @@ impl Problem {
 pub struct Accuracy {
     /// Nodes of an element, 4 to 16.
     pub order: usize,
-    /// Largest tail of the pressure on an element, and of the gap that a creep strain makes.
+    /// Largest tail (the larger of the last two Legendre coefficients) of the pressure on an element, and of the gap that a creep strain makes.
     pub mesh: f64,
     /// Largest error of the gap in a step, in h₀.
     pub step: f64,
@@ -330,6 +332,7 @@ const KINKED_NODES: usize = 2000;
 
 impl Accuracy {
     /// The tolerances that give about this relative error of the pull-off force (1e-3 to 1e-8).
+    /// A value outside 1e-8…1e-2 is replaced by the nearer end.
     #[must_use]
     pub fn new(relative: f64) -> Self {
         let relative = relative.clamp(1e-8, 1e-2);

@@ -12,46 +12,46 @@ pub(super) const LANDED: f64 = 1e-14;
 /// The state at the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Record {
-    /// Since the start.
+    /// Time since the start, in the unit of the retardation times.
     pub time: f64,
-    /// Positive into the body.
+    /// Penetration (h₀), positive into the body.
     pub penetration: f64,
-    /// Positive in compression.
+    /// Force (RΔγ), positive in compression.
     pub force: f64,
-    /// Where the gap passes that of the law's largest tension; zero if the gap is wider everywhere.
+    /// Radius (√(R h₀)) at which the gap equals that of the law's largest tension; zero if the gap is wider everywhere.
     pub contact_radius: f64,
-    /// Where the tension is largest; zero at the centre.
+    /// Radius (√(R h₀)) at which the tension is largest; zero at the centre.
     pub tension_radius: f64,
-    /// Stored energies.
+    /// Stored energies (RΔγh₀).
     pub energies: Energies,
-    /// ∫ F dΔ since the start: what was put in.
+    /// ∫ F dΔ since the start (RΔγh₀): positive where work was put in.
     pub work: f64,
-    /// Lost in the Voigt elements since the start.
+    /// Energy lost in the Voigt elements since the start (RΔγh₀).
     pub dissipated: f64,
-    /// Lost in jumps since the start.
+    /// Energy lost in jumps since the start (RΔγh₀).
     pub released: f64,
-    /// Work − change of the energies − losses: zero but for the errors of the method.
+    /// Work − change of the energies − losses (RΔγh₀): zero but for the errors of the method.
     pub residual: f64,
 }
 
 /// A sudden change to the next equilibrium down the energy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jump {
-    /// When it was over.
+    /// Time at which it was over.
     pub time: f64,
-    /// The contact radius before it.
+    /// Contact radius before it (√(R h₀)).
     pub radius_before: f64,
-    /// Before it; known to about 1e-5.
+    /// Penetration before it (h₀); known to about 1e-5.
     pub penetration: f64,
-    /// Before it. Soft: near a fold it varies by up to 3e-3 with the tolerances.
+    /// Force before it (RΔγ). Near a fold it varies by up to 3e-3 (relative) with the tolerances.
     pub force_before: f64,
-    /// After it.
+    /// Force after it (RΔγ).
     pub force_after: f64,
-    /// After it; differs from the one before where the penetration is not imposed.
+    /// Penetration after it (h₀); differs from the one before where the penetration is not imposed.
     pub penetration_after: f64,
-    /// The contact radius it lands on (0: separated).
+    /// Contact radius after it (√(R h₀)); zero if separated.
     pub radius_after: f64,
-    /// Energy lost in it.
+    /// Energy lost in it (RΔγh₀).
     pub released: f64,
 }
 
@@ -69,13 +69,13 @@ pub struct LegSummary {
 }
 
 impl LegSummary {
-    /// Work of the puller from the zero of force (or from the beginning, if the force is not positive there) to the end.
+    /// Work ∫ F dΔ (RΔγh₀) from the zero of force (or from the beginning, if the force is not positive there) to the end.
     #[must_use]
     pub fn work_of_separation(&self) -> f64 {
         self.end.work - self.tension_begins().work
     }
 
-    /// The same, to the largest tension only.
+    /// As [`LegSummary::work_of_separation`], to the largest tension only.
     #[must_use]
     pub fn work_to_pull_off(&self) -> f64 {
         self.largest_tension.work - self.tension_begins().work
@@ -91,7 +91,7 @@ impl LegSummary {
 pub struct Certificate {
     /// The largest energy residual of a row, in RΔγh₀.
     pub energy_residual: f64,
-    /// The largest energy or work of a row: the scale of the residual.
+    /// The largest energy or work of a row, in RΔγh₀: the scale of the residual.
     pub energy_scale: f64,
     /// The largest number of nodes.
     pub nodes: usize,
@@ -116,7 +116,7 @@ pub struct Certificate {
 /// A run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// Every accepted step, the start and the landings of jumps.
+    /// Every accepted step, the start and the landings of jumps, in the order of time.
     pub rows: Vec<Record>,
     /// One for each leg that ended.
     pub legs: Vec<LegSummary>,
@@ -133,13 +133,13 @@ pub struct Run {
 }
 
 impl Run {
-    /// The largest tension of the last leg, positive.
+    /// The largest tension of the last leg (RΔγ), positive; zero if no leg ended.
     #[must_use]
     pub fn pull_off_force(&self) -> f64 {
         self.legs.last().map_or(0.0, |leg| -leg.largest_tension.force)
     }
 
-    /// The row at a time, if there is one.
+    /// The row at a time, if there is one ([`row_at`]).
     #[must_use]
     pub fn at(&self, time: f64) -> Option<&Record> {
         row_at(&self.rows, time)

@@ -1,4 +1,4 @@
-//! From SI to the reduced units of this room and back.
+//! From SI to the reduced units of this module and back.
 
 use super::problem::Creep;
 use crate::finite_range::law::Attraction;
@@ -18,12 +18,12 @@ pub struct Scales {
     pub force: f64,
     /// RΔγh₀, the unit of works and energies (J).
     pub work: f64,
-    /// (RΔγ²/(E₀*²h₀³))^{1/3}.
+    /// The relaxed Tabor number (RΔγ²/(E₀*²h₀³))^{1/3}, without unit.
     pub tabor: f64,
 }
 
 impl Scales {
-    /// The scales; of a solid in plane moduli E*.
+    /// The scales of a tip radius (m), a law in SI (m, J/m²) and a solid in plane moduli E* (Pa).
     ///
     /// # Errors
     /// [`Refusal`] unless the radius is positive and finite and the material is a solid.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::chain::Chain;
 use super::kernel::Rule;
 use super::mesh::{Mesh, Mesher};
-use super::surface::Surface;
+use super::surface::{HAIR, Surface};
 use crate::continuation::bracket::halved;
 
 /// Everything a run needs to go on from an instant. Each state keeps its own mesh.
@@ -35,11 +35,11 @@ pub(super) struct State {
 /// Energies of a state, in RΔγh₀.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Energies {
-    /// In the instant springs.
+    /// Elastic energy in the instant springs, zero or more.
     pub instant: f64,
-    /// In the springs of the Voigt elements.
+    /// Elastic energy in the springs of the Voigt elements, zero or more.
     pub delayed: f64,
-    /// Of the attraction (zero across a wide gap).
+    /// Energy of the attraction: zero across a wide gap, negative where the surfaces attract.
     pub interface: f64,
 }
 
@@ -102,14 +102,17 @@ impl State {
         // A polynomial may overshoot below every gap there was, where the law is without bound.
         let least = unknown.iter().fold(f64::INFINITY, |least, &u| least.min(surface.gap(u)));
         let x = &self.mesh.x;
+        // Whether a place lies between two nodes that touch, and whether it touches.
         let on_wall = |place: f64, pressed: f64| {
             let after = x.partition_point(|&x| x < place);
             let sides = [after.saturating_sub(1), after.min(x.len() - 1)].map(|i| surface.touches(unknown[i]));
-            pressed > 0.0 && (sides[0] || sides[1])
+            (sides[0] && sides[1], pressed > 0.0 && (sides[0] || sides[1]))
         };
         let joined = |(((lifted, flat), pressed), &place): (((&f64, &f64), &f64), &f64)| {
             let gap = (lifted + flat).max(least);
-            if on_wall(place, *pressed) { surface.gap(f64::NEG_INFINITY) - pressed } else { gap }
+            // Between two nodes that touch nothing opens, though the polynomial may fall below zero.
+            let (inside, touches) = on_wall(place, *pressed);
+            if inside || touches { surface.gap(f64::NEG_INFINITY) - pressed.max(HAIR) } else { gap }
         };
         lifted.iter().zip(to.undeformed.iter()).zip(&pressed).zip(&to.mesh.x).map(joined).collect()
     }
@@ -138,13 +141,12 @@ impl State {
     /// there. Beyond it the gap opens too flat to say.
     fn edge_on_wall(&self, outside: usize, gap: f64, surface: &Surface) -> Option<f64> {
         let (u, x) = (&self.u, &self.mesh.x);
-        let (last, before) = (outside.checked_sub(1)?, outside.checked_sub(2)?);
-        if !(surface.touches(u[last]) && surface.touches(u[before])) {
-            return None;
-        }
+        let last = outside.checked_sub(1).filter(|&i| surface.touches(u[i]))?;
+        let halfway = 0.5 * (x[last] + x[outside]);
+        let Some(before) = last.checked_sub(1).filter(|&i| surface.touches(u[i])) else { return Some(halfway) };
         let [one, other] = [before, last].map(|i| (u[i] - gap).powi(2));
         let place = x[last] + other * (x[last] - x[before]) / (one - other);
-        Some(if one > other { place.min(x[outside]) } else { 0.5 * (x[last] + x[outside]) })
+        Some(if one > other { place.min(x[outside]) } else { halfway })
     }
 
     /// The innermost radius where the gap passes a value, by the polynomial of its element; zero if the gap is larger everywhere.

@@ -15,6 +15,8 @@ use crate::refusal::Refusal;
 
 /// What a node without a side on a hard wall may lie beyond it, over the error of the gap in a step.
 const OVERLAP: f64 = 0.1;
+/// Finer edges of a hard wall that are tried before a step is shortened, or an equilibrium is searched by a descent.
+pub(super) const SHIFTS: usize = 2;
 /// Forces smaller than this (in RΔγ) are no scale for the error of a force.
 pub(super) const FORCE_SCALE: f64 = 5.0;
 /// The work of a step may be wrong by this many tolerances of the step, times the force over its scale.

@@ -7,6 +7,9 @@ use super::tip::Shape;
 use crate::finite_range::law::{Attraction, Law};
 use crate::refusal::Refusal;
 
+/// A node that touches the wall, or does not, is on its side by so much of h₀, at least.
+pub(super) const HAIR: f64 = 1e-12;
+
 /// Points of the rule for the attraction outside the mesh.
 const TAIL_POINTS: usize = 16;
 
@@ -95,6 +98,11 @@ impl Surface {
     /// Whether contact is an inequality: its nodes change sides one Jacobian at a time.
     pub(super) fn has_wall(&self) -> bool {
         self.wall.is_some()
+    }
+
+    /// An open node: off the wall by a hair, at least.
+    pub(super) fn opened(&self, u: f64) -> f64 {
+        self.wall.map_or(u, |wall| u.max(wall + HAIR))
     }
 
     /// Whether a node touches the hard wall.

@@ -14,7 +14,7 @@ pub enum Shape {
     Paraboloid,
     /// f = coefficient·x^exponent (R is then any length that scales the radii).
     Power {
-        /// The height at x = 1, > 0.
+        /// The height (h₀) at x = 1, > 0.
         coefficient: f64,
         /// Above ½ and up to 20; 1 is a cone.
         exponent: f64,
@@ -26,7 +26,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// f(x).
+    /// The height f(x) over the apex (h₀, zero or more) at a radius x ≥ 0 (√(R h₀)).
     #[must_use]
     pub fn height(&self, x: f64) -> f64 {
         match self {

@@ -292,7 +292,7 @@ impl Course<'_> {
 /// How long, at most so long, a quantity goes one way from a time on.
 fn one_way(given: &Drive, from: f64, longest: f64) -> f64 {
     let rate = |k: u32| given.rate(from + longest * f64::from(k) / f64::from(LOOKS));
-    let way = rate(1);
+    let Some(way) = (1..=LOOKS).map(rate).find(|rate| *rate != 0.0) else { return longest };
     let Some(turned) = (2..=LOOKS).find(|k| rate(*k) * way < 0.0) else { return longest };
     let part = longest / f64::from(LOOKS);
     halved([part * f64::from(turned - 1), part * f64::from(turned)], |time| given.rate(from + time) * way > 0.0)[0]

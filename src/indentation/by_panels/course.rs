@@ -92,7 +92,7 @@ impl Integration<'_> {
     /// A shorter panel, in place if it was in time and no turn is near; `way`: how far it would have gone.
     pub(super) fn refuses(&mut self, span: f64, factor: f64, way: f64) -> Option<End> {
         self.outcome.refused += 1;
-        let time = if self.at_once.is_some() { self.branch.end } else { self.line.time.max(1e-3) };
+        let time = if self.at_once.is_some() { self.branch.end } else { self.line.time.max(1e-3 * self.branch.end) };
         let least = SHORTEST * if self.span.0 == Chart::TimeOfPlace { self.problem.zone } else { time };
         self.span.1 = factor * span;
         if self.span.0 == Chart::PlaceOfTime && way != 0.0 && (if self.slows { self.to_turn } else { self.since_turn }) > 1.5 * way.abs() {

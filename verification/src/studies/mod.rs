@@ -38,7 +38,7 @@ pub mod timing;
 pub mod whole_grammar;
 
 pub use report::{PAGE, files};
-pub use run::{Report, StudiesError, chosen, run};
+pub use run::{Report, StudiesError, chosen, in_shards, run};
 pub use section::{
     Cell, Check, CheckResult, Column, Effort, Plot, Progress, Section, Table, failures, ours, rival, stored as stored_curve,
 };
@@ -51,18 +51,25 @@ pub struct Study {
     pub identifier: &'static str,
     /// It measures times, so nothing else may run beside it.
     pub alone: bool,
+    /// It consists of many independent pieces, so that a shard of it can be run.
+    pub in_pieces: bool,
     /// Computes the section.
     pub compute: fn(Effort, &Progress) -> Section,
 }
 
 /// A study that may run beside others.
 const fn beside(identifier: &'static str, compute: fn(Effort, &Progress) -> Section) -> Study {
-    Study { identifier, alone: false, compute }
+    Study { identifier, alone: false, in_pieces: false, compute }
 }
 
 /// A study that measures times.
 const fn alone(identifier: &'static str, compute: fn(Effort, &Progress) -> Section) -> Study {
-    Study { identifier, alone: true, compute }
+    Study { identifier, alone: true, in_pieces: false, compute }
+}
+
+/// A study that may run beside others, and in shards.
+const fn in_pieces(identifier: &'static str, compute: fn(Effort, &Progress) -> Section) -> Study {
+    Study { identifier, alone: false, in_pieces: true, compute }
 }
 
 /// All studies, in the order of the page.
@@ -84,9 +91,9 @@ pub const STUDIES: &[Study] = &[
     beside("grammar", whole_grammar::study),
     beside("hard_cases", hard_cases::study),
     beside("held_contacts", held_contacts::study),
-    beside("finite_spheres", finite_spheres::study),
+    in_pieces("finite_spheres", finite_spheres::study),
     beside("published_spheres", published_spheres::study),
-    beside("random_lines", random_lines::study),
+    in_pieces("random_lines", random_lines::study),
     beside("seeded_sweep", seeded_sweep::study),
     beside("event_lists", event_lists::study),
     beside("scene_bytes", scene_bytes::study),

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 use thiserror::Error;
+use viscotack_program::outcome::shard::Shard;
 
 /// Why nothing was run.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -19,6 +20,14 @@ pub enum StudiesError {
         /// What there is.
         known: String,
     },
+    /// A shard was asked for of a study that is not in pieces.
+    #[error("the study `{name}` has no shards: name one or more of {known} with --shard")]
+    Whole {
+        /// What was asked for.
+        name: String,
+        /// Those in pieces.
+        known: String,
+    },
 }
 
 /// The sections of a run.
@@ -26,6 +35,8 @@ pub enum StudiesError {
 pub struct Report {
     /// How much was computed.
     pub effort: Effort,
+    /// Of the studies in pieces.
+    pub shard: Shard,
     /// Where, when and by what.
     pub stamp: Stamp,
     /// In the order of the page.
@@ -68,12 +79,19 @@ impl Report {
         text
     }
 
+    /// How much was computed, in words.
+    #[must_use]
+    pub fn extent(&self) -> String {
+        let effort = self.effort.choose("reduced", "full");
+        if self.shard.is_whole() { effort.to_owned() } else { format!("{effort}, shard {}", self.shard) }
+    }
+
     /// What the run comes to, in one line.
     #[must_use]
     pub fn closing_line(&self) -> String {
-        let effort = self.effort.choose("reduced", "full");
         format!(
-            "verify ({effort}): {} checks passed, {} stated, {} failed in {} sections, {:.0} s\n",
+            "verify ({}): {} checks passed, {} stated, {} failed in {} sections, {:.0} s\n",
+            self.extent(),
             self.count(CheckResult::Passed),
             self.count(CheckResult::Stated),
             self.count(CheckResult::Failed),
@@ -97,6 +115,17 @@ pub fn chosen(names: &[String]) -> Result<Vec<Study>, StudiesError> {
     Ok(STUDIES.iter().filter(|study| names.is_empty() || names.iter().any(|name| name == study.identifier)).copied().collect())
 }
 
+/// Whether a shard of all these studies can be run.
+///
+/// # Errors
+/// [`StudiesError::Whole`], with the first that is not in pieces.
+pub fn in_shards(studies: &[Study]) -> Result<(), StudiesError> {
+    studies.iter().find(|study| !study.in_pieces).map_or(Ok(()), |whole| {
+        let known = STUDIES.iter().filter(|study| study.in_pieces).map(|study| study.identifier).collect::<Vec<_>>().join(", ");
+        Err(StudiesError::Whole { name: whole.identifier.to_owned(), known })
+    })
+}
+
 /// Runs studies: first side by side those that measure no times, then the others one by one on one thread.
 #[must_use]
 pub fn run(studies: &[Study], effort: Effort, progress: &Progress) -> Report {
@@ -110,7 +139,13 @@ pub fn run(studies: &[Study], effort: Effort, progress: &Progress) -> Report {
             Err(_) => section(study, effort, progress),
         });
     }
-    Report { effort, stamp: Stamp::now(), sections: sections.into_iter().flatten().collect(), seconds: begin.elapsed().as_secs_f64() }
+    Report {
+        effort,
+        shard: progress.shard(),
+        stamp: Stamp::now(),
+        sections: sections.into_iter().flatten().collect(),
+        seconds: begin.elapsed().as_secs_f64(),
+    }
 }
 
 /// One section. A panic is a defect of a solver or of the study: it fails the section and leaves the others.

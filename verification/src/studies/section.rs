@@ -7,6 +7,7 @@ use serde::de::DeserializeOwned;
 use std::sync::atomic::{AtomicU64, Ordering};
 pub use viscotack_program::outcome::csv_table::Cell;
 use viscotack_program::outcome::plot::{Curve, Figure, Line, Marker};
+use viscotack_program::outcome::shard::Shard;
 
 /// How much is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -244,6 +245,7 @@ pub struct Progress {
     watcher: Box<Watcher>,
     sections: Box<SectionWatcher>,
     pieces: Option<Pieces>,
+    shard: Shard,
 }
 
 impl Progress {
@@ -256,6 +258,7 @@ impl Progress {
             watcher: Box::new(watcher),
             sections: Box::new(|_, _| {}),
             pieces: None,
+            shard: Shard::WHOLE,
         }
     }
 
@@ -266,20 +269,38 @@ impl Progress {
         self
     }
 
+    /// Only this shard of the pieces of studies.
+    #[must_use]
+    pub const fn with_shard(mut self, shard: Shard) -> Self {
+        self.shard = shard;
+        self
+    }
+
+    /// What is computed of the studies in pieces.
+    pub(super) const fn shard(&self) -> Shard {
+        self.shard
+    }
+
+    /// The pieces of a study that are to be computed, of so many; they are announced.
+    pub(super) fn pieces_of(&self, count: u64) -> Vec<u64> {
+        let pieces: Vec<u64> = (0..self.shard.states(count as usize)).map(|index| self.shard.state(index) as u64).collect();
+        self.expect(pieces.len() as u64);
+        pieces
+    }
+
     /// Why pieces could not be kept, if some could not.
     #[must_use]
     pub fn not_kept(&self) -> Option<String> {
         self.pieces.as_ref().and_then(Pieces::failed)
     }
 
-    /// All pieces of a long study, side by side, each computed unless an earlier run of the same build has kept it.
+    /// The pieces of a long study, or of a shard of it, with their numbers, side by side: each computed unless an earlier run of the same build has kept it.
     pub(super) fn each<T: Serialize + DeserializeOwned + Send>(
         &self,
         study: &str,
         count: u64,
         compute: impl Fn(u64) -> T + Sync,
-    ) -> Vec<T> {
-        self.expect(count);
+    ) -> Vec<(u64, T)> {
         let one = |piece: u64| {
             let known = self.pieces.as_ref().and_then(|pieces| pieces.get(study, piece));
             let value = known.unwrap_or_else(|| {
@@ -290,9 +311,9 @@ impl Progress {
                 value
             });
             self.advance(1);
-            value
+            (piece, value)
         };
-        (0..count).into_par_iter().map(one).collect()
+        self.pieces_of(count).into_par_iter().map(one).collect()
     }
 
     /// Also calls `sections(identifier, seconds)` as each section ends, in the order in which they do.

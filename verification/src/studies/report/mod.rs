@@ -81,7 +81,7 @@ fn summary(report: &Report) -> Value {
         .collect();
     json!({
         "command": "verify",
-        "effort": report.effort.choose("reduced", "full"),
+        "effort": report.extent(),
         "program": report.stamp.program,
         "compiler": report.stamp.compiler,
         "machine": report.stamp.machine,

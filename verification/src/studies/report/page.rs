@@ -43,11 +43,11 @@ fn result(report: &Report) -> &'static str {
 
 fn head(report: &Report) -> String {
     let [passed, stated, failed] = [CheckResult::Passed, CheckResult::Stated, CheckResult::Failed].map(|result| report.count(result));
-    let effort = report.effort.choose("reduced run", "full run");
+    let extent = report.extent();
     let word = result(report);
     let class = if failed == 0 { "good" } else { "bad" };
     format!(
-        "<header>\n<p class=\"name\">viscotack verify, {effort}</p>\n<h1 class=\"{class}\">{word}</h1>\n<ul class=\"counts\">\n\
+        "<header>\n<p class=\"name\">viscotack verify, {extent} run</p>\n<h1 class=\"{class}\">{word}</h1>\n<ul class=\"counts\">\n\
          <li class=\"passed\"><b>{passed}</b> passed</li>\n<li class=\"stated\"><b>{stated}</b> stated</li>\n<li class=\"failed{}\"><b>{failed}</b> failed</li>\n</ul>\n\
          <p class=\"stamp\">{}</p>\n\
          <p>What accuracy costs, where it is hard, what each effect adds. Each check says beforehand what is expected and why. <i>Stated</i> is what does not hold \

@@ -32,40 +32,46 @@ impl Runs {
     }
 }
 
+/// Two runs, each tighter than the one before, and others until the last two agree. Where a third or later one is refused, the two before it are what is
+/// known.
+fn until_they_agree(solved: &mut dyn FnMut(u32) -> Result<Run, Refusal>, agree: impl Fn(&Runs) -> bool) -> Result<Runs, Refusal> {
+    let mut runs = Runs::of(solved(1)?, solved(2)?, 0);
+    for number in 3..=RUNS {
+        if agree(&runs) {
+            break;
+        }
+        match solved(number) {
+            Ok(tight) => {
+                let before = runs.systems - runs.tight.certificate.iterations as u64;
+                runs = Runs::of(runs.tight, tight, before);
+            }
+            Err(refusal) => {
+                runs.refused = Some(refusal);
+                break;
+            }
+        }
+    }
+    Ok(runs)
+}
+
 impl FiniteRangePlan {
     /// What the solver is asked.
     pub(super) fn problem(&self) -> Result<Problem, Refusal> {
         Ok(self.course.problem(&self.reduced))
     }
 
-    /// The runs of the state. Where a third one is refused, the first two are what is known.
+    /// The runs of the state.
     pub(super) fn runs(&self, state_watch: &StateWatch<'_>) -> Result<Runs, Refusal> {
         let problem = self.problem()?;
         let accuracy = Accuracy::of_law(self.solver_accuracy, &self.reduced.law);
         let mut mesher = Mesher::new(accuracy.order);
-        let mut solved = |number: u32, accuracy: Accuracy| {
+        let mut next = accuracy;
+        let mut solved = |number: u32| {
+            let tighter = next.tightened();
+            let accuracy = std::mem::replace(&mut next, tighter);
             run_watched(&problem, accuracy, &mut mesher, &mut |part| state_watch.passed(number, part.min(1.0)))
         };
-        let tighter = accuracy.tightened();
-        let mut runs = Runs::of(solved(1, accuracy)?, solved(2, tighter)?, 0);
-        let mut accuracy = tighter;
-        for number in 3..=RUNS {
-            if runs.consistent && self.agree(&runs) && self.cycles_agree(&runs) {
-                break;
-            }
-            accuracy = accuracy.tightened();
-            match solved(number, accuracy) {
-                Ok(tight) => {
-                    let before = runs.systems - runs.tight.certificate.iterations as u64;
-                    runs = Runs::of(runs.tight, tight, before);
-                }
-                Err(refusal) => {
-                    runs.refused = Some(refusal);
-                    break;
-                }
-            }
-        }
-        Ok(runs)
+        until_they_agree(&mut solved, |runs| runs.consistent && self.agree(runs) && self.cycles_agree(runs))
     }
 
     /// Whether every instant, and the largest tension, differ by less than the wanted accuracy.
@@ -108,5 +114,45 @@ impl FiniteRangePlan {
     pub(super) fn between_legs<'r>(&self, run: &'r Run) -> Vec<Option<&'r Record>> {
         let all = self.instants_of(run);
         self.course.boundaries.iter().map(|place| all.get(*place).copied().flatten()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use viscotack::finite_range::law::{Attraction, Law};
+    use viscotack::finite_range::sphere::{Control, Creep, Leg, Motion, Start, run};
+
+    fn pulled(accuracy: Accuracy) -> Run {
+        let creep = Creep { stiffening: 10.0, fractions: vec![1.0], times: vec![1.0] };
+        let history = vec![Leg { control: Control::Penetration, motion: Motion::Ramp { to: -4.0, duration: 5.0 } }];
+        let problem = Problem::new(Law::LennardJones, 0.5, creep, Start::Relaxed(1.0), history);
+        run(&problem, accuracy, &mut Mesher::new(accuracy.order)).unwrap()
+    }
+
+    #[test]
+    fn a_refused_third_run_leaves_what_two_runs_know() {
+        let accuracy = Accuracy::of_law(1e-3, &Attraction::new(Law::LennardJones, 1.0, 1.0).unwrap());
+        let both = [pulled(accuracy), pulled(accuracy.tightened())];
+        let iterations: Vec<u64> = both.iter().map(|run| run.certificate.iterations as u64).collect();
+        let refusal = || Refusal::NotConverged { what: "the mesh", detail: "too fine".to_owned() };
+        // What refuses: the third run, the fourth (the third is the second again), the second.
+        let refused_at = |last: u32| {
+            let mut solved = |number: u32| if number < last { Ok(both[usize::from(number > 1)].clone()) } else { Err(refusal()) };
+            until_they_agree(&mut solved, |_| false)
+        };
+        let third = refused_at(3).unwrap();
+        assert_eq!(third.refused, Some(refusal()));
+        assert_eq!((&third.loose, &third.tight), (&both[0], &both[1]));
+        assert_eq!(third.systems, iterations[0] + iterations[1]);
+        let fourth = refused_at(4).unwrap();
+        assert_eq!(fourth.refused, Some(refusal()));
+        assert_eq!((&fourth.loose, &fourth.tight), (&both[1], &both[1]));
+        assert_eq!(fourth.systems, iterations[0] + 2 * iterations[1]);
+        assert_eq!(refused_at(2).err(), Some(refusal()));
+        // Runs that agree are not repeated.
+        let mut solved = |number: u32| if number < 3 { Ok(both[number as usize - 1].clone()) } else { Err(refusal()) };
+        assert_eq!(until_they_agree(&mut solved, |_| true).unwrap().refused, None);
     }
 }
